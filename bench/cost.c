@@ -22,7 +22,8 @@ static int64_t pair[N - 1][2];
 static const double floor_plane[1][4] = {{0.0, 0.0, 1.0, -0.4}}; /* every body touches it */
 /* not constants, lest the loop by hand be compiled for this arm only */
 static vti_pendulum pendulum = {1.0, {0.0, 0.0, 1.0}};
-static vti_held slots[2 * N];
+static vti_held entries[2 * N];
+static int64_t slots[2 * N];
 static vti_sum lost[5][5];
 static int64_t id[N - 1];
 static const vti_gravity gravity = {{0.0, 0.0, -1.0}};
@@ -123,7 +124,7 @@ int main(int argc, char **argv)
     if (strchr(config, 'p') != NULL)
         effects[n++] = vti_pendulum_effect(&pendulum);
 
-    vti_history history = {2 * N, 0, 0, slots};
+    vti_history history = {2 * N, 0, 0, entries, slots};
     const vti_friction friction = {
         .contacts = &contacts, .sliding = 0.5, .mindlin = 0.8, .reach = 0.1, .history = &history, .lost = lost[0]};
     const vti_dashpots dashpots = {.contacts = &contacts,

@@ -101,8 +101,9 @@ int bench_lattice_make(struct bench_lattice *l, int64_t side)
     l->rest = malloc(sizeof(double) * 12 * (size_t)l->of.n);
     for (l->history.slots = 8; l->of.n <= DEAR && l->history.slots < 4 * l->of.n; l->history.slots *= 2)
         ; /* three pairs for each body, at most */
+    l->history.held = malloc(sizeof *l->history.held * (size_t)l->history.slots);
     l->history.slot = calloc((size_t)l->history.slots, sizeof *l->history.slot);
-    if (l->pair == NULL || l->rest == NULL || l->history.slot == NULL)
+    if (l->pair == NULL || l->rest == NULL || l->history.held == NULL || l->history.slot == NULL)
         return -1;
     list_neighbours(l, side);
     place(l, side);
@@ -115,6 +116,7 @@ int bench_lattice_make(struct bench_lattice *l, int64_t side)
 void bench_lattice_free(struct bench_lattice *l)
 {
     free(l->history.slot);
+    free(l->history.held);
     free(l->rest);
     free(l->pair);
     bench_bodies_free(&l->of);

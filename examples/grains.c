@@ -14,6 +14,7 @@ static double x[N][3], v[N][3], force[N][3], alpha[N][3], omega[N][3], moment[N]
 static double listed[N][3]; /* where the beads were when the pairs were listed */
 static int64_t pair[PAIRS][2];
 static vti_held held[SLOTS];
+static int64_t slot[SLOTS];
 
 static void must(int status)
 {
@@ -106,7 +107,7 @@ int main(void)
         {0, 0, 1, 0}, {1, 0, 0, 0}, {-1, 0, 0, -4.9}, {0, 1, 0, 0}, {0, -1, 0, -4.9}}; /* n.x >= offset */
     const double stiffness = 1e5, nu = 0.3;
     vti_sum lost_friction[VTI_FRICTION_BOOKS] = {{0.0, 0.0}}, lost_dashpot[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}};
-    vti_history history = {.slots = SLOTS, .slot = held};
+    vti_history history = {.slots = SLOTS, .held = held, .slot = slot};
     vti_bodies b;
     place(&b);
 

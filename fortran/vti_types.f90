@@ -207,18 +207,17 @@ module vti_types
         type(c_ptr) :: lost = c_null_ptr, by_body = c_null_ptr
     end type
 
-    !> What the springs of one touch hold: i and j count from 1 (j of plane w, which counts from 1 too: -w); i = 0 is an
-    !> empty slot.
+    !> What the springs of one touch hold: i and j count from 1 (j of plane w, which counts from 1 too: -w).
     type, bind(c) :: vti_held
         integer(c_int64_t) :: i = 0, j = 0
         real(c_double) :: sliding(3) = 0, rolling(3) = 0, twisting = 0
     end type
 
-    !> A table of what touches hold; slot is the address of an array of as many type(vti_held) as slots says, a power
-    !> of 2.
+    !> What touches hold; slots is a power of 2, held the address of an array of as many type(vti_held), of which the first
+    !> used hold something, slot that of an array of as many integer(c_int64_t), zeros at the start.
     type, bind(c) :: vti_history
         integer(c_int64_t) :: slots = 0, used = 0, missed = 0
-        type(c_ptr) :: slot = c_null_ptr
+        type(c_ptr) :: held = c_null_ptr, slot = c_null_ptr
     end type
 
     !> Friction of contacts and planes: contacts and walls as in vti_dashpots; history is the address of a vti_history,

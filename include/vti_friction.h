@@ -18,28 +18,29 @@ enum { VTI_FRICTION_BOOKS = 3 };
 /** What the springs of one touch hold, on body i against the other: loads across the normal, and the moment about
  *  it. */
 typedef struct vti_held {
-    int64_t i;         /**< 1 + body, from 0; 0: this slot is empty */
+    int64_t i;         /**< 1 + body, from 0 */
     int64_t j;         /**< 1 + the other body; -1 - w: wall w, from 0, planes before cylinders */
     double sliding[3]; /**< force */
     double rolling[3]; /**< moment */
     double twisting;   /**< moment about the normal from j to i */
 } vti_held;
 
-/** A table of what touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. It belongs to a
- *  restart, whole or as the slots that are not empty in any order; results do not depend on where they stand. Lists of
- *  pairs may change while it stays, but each pair always names its two bodies in the same order, and a list each pair
- *  once: a spring that is carried twice slides twice. A body that the host itself moves elsewhere, to an inlet say, keeps
- *  its old entries until it comes near the same body or wall again. To drop them, copy all other entries into a second
- *  table by vti_history_add, and go on with that one. */
+/** What touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. The first used of held belong to
+ *  a restart, in any order: calls change it, and results do not depend on it. Lists of pairs may change while it stays,
+ *  but each pair always names its two bodies in the same order, and a list each pair once: a spring that is carried twice
+ *  slides twice. A body that the host itself moves elsewhere, to an inlet say, keeps its old entries until it comes near
+ *  the same body or wall again. To drop them, copy all other entries into a second history by vti_history_add, and go on
+ *  with that one. */
 typedef struct vti_history {
-    int64_t slots;  /**< a power of 2, above the number of touches; twice as many are fast */
+    int64_t slots;  /**< a power of 2, at most 2^31, above the number of touches; twice as many are fast */
     int64_t used;   /**< touches that hold something */
     int64_t missed; /**< touches for which there was no room: calls return VTI_E_HISTORY from then on */
-    vti_held *slot; /**< [slots] */
+    vti_held *held; /**< [slots], of which the first used hold something */
+    int64_t *slot;  /**< [slots], by which they are found */
 } vti_history;
 
-/** Puts what a touch holds into the table: for a larger one, a restart, or bodies with other numbers. VTI_E_HISTORY if
- *  there is no room, slots is not a power of 2, i < 0, j is 0 or i, or a load is not finite; then the table is as it was. */
+/** Puts what a touch holds into the history: for a larger one, a restart, or bodies with other numbers. VTI_E_HISTORY if
+ *  there is no room, slots is no power of 2 up to 2^31, i < 1, j is 0 or i, or a load is not finite; then it is as it was. */
 VTI_API int vti_history_add(vti_history *history, const vti_held *held);
 
 /** Friction of contacts and walls: springs that stretch as surfaces move over each other and slide where they would

@@ -141,7 +141,7 @@ static void destroy(struct effect *e)
 {
     struct friction_self *self = e->self;
     for (int64_t k = 0; self->chunk != NULL && k < self->count; ++k)
-        free(self->chunk[k].history.slot);
+        friction_free(&self->chunk[k].history);
     free(self->chunk);
     free(self->by_pair);
 }

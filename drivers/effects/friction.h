@@ -28,6 +28,8 @@ struct friction_self {
 
 /** Room for so many touches. Returns 0, or -1 if there is no memory. */
 int friction_make_room(vti_history *history, int64_t touches);
+/** Frees its memory. */
+void friction_free(vti_history *history);
 /** What all springs hold, for a run that goes on. */
 extern const struct effect_memory_of friction_memory;
 /** Room for what may touch after the next drift (kind.h). */

@@ -9,20 +9,26 @@
 
 int friction_make_room(vti_history *history, int64_t touches)
 {
-    vti_history next = {64, 0, history->missed, NULL};
+    vti_history next = {64, 0, history->missed, NULL, NULL};
     while (next.slots < 2 * touches)
         next.slots *= 2;
     if (next.slots <= history->slots)
         return 0;
+    next.held = malloc((size_t)next.slots * sizeof *next.held); /* of which pages that nothing is put into take none */
     next.slot = calloc((size_t)next.slots, sizeof *next.slot);
-    if (next.slot == NULL)
-        return -1;
-    for (int64_t k = 0; k < history->slots; ++k)
-        if (history->slot[k].i != 0)
-            vti_history_add(&next, &history->slot[k]);
+    const int failed = next.held == NULL || next.slot == NULL;
+    for (int64_t k = 0; k < history->used && !failed; ++k)
+        vti_history_add(&next, &history->held[k]);
+    friction_free(failed ? &next : history);
+    if (!failed)
+        *history = next;
+    return failed ? -1 : 0;
+}
+
+void friction_free(vti_history *history)
+{
+    free(history->held);
     free(history->slot);
-    *history = next;
-    return 0;
 }
 
 /** Bodies that may touch walls after the next drift, once for each: nearer than their diameter; all of them where these
@@ -116,10 +122,8 @@ static int compare(const void *a, const void *b)
 
 static double *get_chunk(const vti_history *history, double *memory)
 {
-    for (int64_t k = 0; k < history->slots; ++k) {
-        const vti_held *held = &history->slot[k];
-        if (held->i == 0)
-            continue;
+    for (int64_t k = 0; k < history->used; ++k) {
+        const vti_held *held = &history->held[k];
         *memory++ = (double)held->i;
         *memory++ = (double)held->j;
         for (int c = 0; c < 3; ++c)
@@ -131,7 +135,7 @@ static double *get_chunk(const vti_history *history, double *memory)
     return memory;
 }
 
-/** By bodies: where touches stand in the table depends on the order in which they came, which is another one for a run
+/** By bodies: where touches stand in memory depends on the order in which they came, which is another one for a run
  *  that goes on. */
 static void get(const struct effect *e, double *memory)
 {
@@ -158,8 +162,8 @@ static int64_t put(struct effect *e, const double *memory, int64_t left)
     if (!(count >= 0.0 && HELD * count <= (double)(left - 1)))
         return -1;
     for (int64_t k = 0; k < self->count; ++k) {
-        free(self->chunk[k].history.slot);
-        self->chunk[k].history = (vti_history){0, 0, 0, NULL};
+        friction_free(&self->chunk[k].history);
+        self->chunk[k].history = (vti_history){0, 0, 0, NULL, NULL};
         if (friction_make_room(&self->chunk[k].history, 0) != 0)
             return -1;
     }

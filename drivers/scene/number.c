@@ -133,9 +133,9 @@ static int write_digits(int digits, double value, char text[NUMBER_TEXT])
     return reads(text, value);
 }
 
-/** A decimal number: its digits, and the power of ten of the first. */
+/** A decimal number: its digits and a zero, and the power of ten of the first. */
 struct decimal {
-    char sign, digit[DIGITS];
+    char sign, digit[DIGITS + 1];
     int exponent;
 };
 

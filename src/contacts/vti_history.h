@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The table of what touches hold: open addressing, the next slot where one is taken; what is taken out leaves no gap,
- * as those behind it move up. Slots depend on the order of insertion; results do not. */
+ * What touches hold lies side by side, so that who goes along a list goes through memory in order, and is found by a hash
+ * table of 8 bytes a slot: open addressing, the next slot where one is taken; what is taken out leaves no gap, as those
+ * behind it move up. Where things stand depends on the order in which they came; results do not. */
 #ifndef VTI_HISTORY_H
 #define VTI_HISTORY_H
 
@@ -9,41 +10,107 @@
 
 #include "vti.h"
 
-static inline int64_t vti_history_home(const vti_history *t, int64_t i, int64_t j)
+/** A slot is 0, or has 32 bits of the key's hash above 1 + the number of what is held. */
+static inline uint64_t vti_history_hash(int64_t i, int64_t j)
 {
-    const uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
-    return (int64_t)(key * UINT64_C(0xbf58476d1ce4e5b9) >> 32 & (uint64_t)(t->slots - 1));
+    uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
+    key = (key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9);
+    return key & UINT64_C(0xffffffff00000000);
+}
+
+static inline int64_t vti_history_home(const vti_history *t, uint64_t slot)
+{
+    return (int64_t)(slot >> 32) & (t->slots - 1);
+}
+
+static inline int64_t vti_history_number(int64_t slot)
+{
+    return (int64_t)((uint64_t)slot & UINT64_C(0xffffffff)) - 1;
+}
+
+static inline int vti_history_is(const vti_held *held, int64_t i, int64_t j)
+{
+    return held->i == i && held->j == j;
 }
 
 /** The slot of the touch, or the empty one where it would be; i and j are those of vti_held. */
-static inline vti_held *vti_history_at(const vti_history *t, int64_t i, int64_t j)
+static inline int64_t *vti_history_slot(const vti_history *t, int64_t i, int64_t j)
 {
-    int64_t k = vti_history_home(t, i, j);
-    while (t->slot[k].i != 0 && !(t->slot[k].i == i && t->slot[k].j == j))
+    const uint64_t hash = vti_history_hash(i, j);
+    int64_t k = vti_history_home(t, hash);
+    while (t->slot[k] != 0 && (((uint64_t)t->slot[k] ^ hash) >> 32 != 0 ||
+                               !vti_history_is(&t->held[vti_history_number(t->slot[k])], i, j)))
         k = (k + 1) & (t->slots - 1);
     return &t->slot[k];
 }
 
 /** What the touch holds; NULL if that is nothing. */
-static inline const vti_held *vti_history_find(const vti_history *t, int64_t i, int64_t j)
+static inline vti_held *vti_history_find(const vti_history *t, int64_t i, int64_t j)
 {
-    const vti_held *at = vti_history_at(t, i, j);
-    return at->i != 0 ? at : NULL;
+    const int64_t slot = *vti_history_slot(t, i, j);
+    return slot != 0 ? &t->held[vti_history_number(slot)] : NULL;
 }
 
-static inline void vti_history_remove(vti_history *t, vti_held *held)
+/** The same where it may stand at this place, from 0. */
+static inline vti_held *vti_history_guess(const vti_history *t, int64_t i, int64_t j, int64_t place)
+{
+    return place < t->used && vti_history_is(&t->held[place], i, j) ? &t->held[place] : vti_history_find(t, i, j);
+}
+
+/** The same for one who goes along a list, next being where the last one ended: there it is, mostly. */
+static inline vti_held *vti_history_next(const vti_history *t, int64_t i, int64_t j, int64_t *next)
+{
+    vti_held *const held = vti_history_guess(t, i, j, *next);
+    *next = held != NULL ? held - t->held + 1 : *next;
+    return held;
+}
+
+/** Room for one that is not there yet; NULL if there is none. Nobody's pointers move. */
+static inline vti_held *vti_history_begin(vti_history *t, int64_t i, int64_t j)
+{
+    const vti_held nothing = {i, j, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+    if (t->used + 1 >= t->slots)
+        return NULL;
+    t->held[t->used] = nothing;
+    *vti_history_slot(t, i, j) = (int64_t)(vti_history_hash(i, j) | (uint64_t)++t->used);
+    return &t->held[t->used - 1];
+}
+
+/** Empties a slot. */
+static inline void vti_history_close(vti_history *t, int64_t gap)
 {
     const int64_t mask = t->slots - 1;
-    int64_t gap = held - t->slot;
-    for (int64_t k = (gap + 1) & mask; t->slot[k].i != 0; k = (k + 1) & mask) {
-        const int64_t home = vti_history_home(t, t->slot[k].i, t->slot[k].j);
+    for (int64_t k = (gap + 1) & mask; t->slot[k] != 0; k = (k + 1) & mask) {
+        const int64_t home = vti_history_home(t, (uint64_t)t->slot[k]);
         if (((k - home) & mask) < ((k - gap) & mask)) /* at home behind the gap */
             continue;
         t->slot[gap] = t->slot[k];
         gap = k;
     }
-    t->slot[gap].i = 0;
-    --t->used;
+    t->slot[gap] = 0;
+}
+
+/** Takes out what a touch holds; the last one takes its place. */
+static inline void vti_history_remove(vti_history *t, vti_held *held)
+{
+    const int64_t last = --t->used, number = held - t->held;
+    vti_history_close(t, vti_history_slot(t, held->i, held->j) - t->slot);
+    if (number == last)
+        return;
+    *held = t->held[last];
+    *vti_history_slot(t, held->i, held->j) += number - last;
+}
+
+/** What stands at place k changes places with *held, which is behind it. */
+static inline void vti_history_swap(vti_history *t, int64_t k, vti_held *held)
+{
+    const vti_held other = t->held[k];
+    const int64_t way = held - t->held - k;
+    int64_t *const here = vti_history_slot(t, other.i, other.j), *const there = vti_history_slot(t, held->i, held->j);
+    t->held[k] = *held;
+    *held = other;
+    *here += way;
+    *there -= way;
 }
 
 #endif

@@ -189,14 +189,14 @@ VTI_INLINE void gather_at_wall(enum touch_layout layout, const vti_walls *p, con
     vti_face_move(at, p, x);
 }
 
-/** Where loads stand in a slot of the table, in numbers. */
+/** Where loads stand in vti_held, in numbers. */
 enum {
     SLIDING_AT = offsetof(vti_held, sliding) / sizeof(double),
     ROLLING_AT = offsetof(vti_held, rolling) / sizeof(double),
     TWISTING_AT = offsetof(vti_held, twisting) / sizeof(double)
 };
 
-/** What the springs that there are hold, 0 of others; slots begin so many numbers behind the first. */
+/** What the springs that there are hold, 0 of others; it stands so many numbers behind the first. */
 VTI_INLINE void gather_loads(const vti_friction *p, const vti_held *first, const int64_t at[WIDTH], struct vti_loads *f)
 {
     const double *const table = (const double *)(const void *)first;
@@ -211,18 +211,18 @@ VTI_INLINE void gather_loads(const vti_friction *p, const vti_held *first, const
         f->twisting = lanes_gather(table + TWISTING_AT, at);
 }
 
-/** Where a slot begins, so. */
-VTI_INLINE int64_t slot_at(const vti_held *first, const vti_held *held)
+/** Where it stands, so. */
+VTI_INLINE int64_t place_of(const vti_held *first, const vti_held *held)
 {
     return (const double *)(const void *)held - (const double *)(const void *)first;
 }
 
 /** Those of WIDTH pairs from the first on; where count ends before, the last one is repeated. */
-VTI_INLINE void whole_slots(const vti_held *slot, vti_held *const *held, int64_t first, int64_t count,
-                            int64_t at[WIDTH])
+VTI_INLINE void whole_places(const vti_held *from, vti_held *const *held, int64_t first, int64_t count,
+                             int64_t at[WIDTH])
 {
     for (int l = 0; l < WIDTH; ++l)
-        at[l] = slot_at(slot, held[first + l < count ? first + l : count - 1]);
+        at[l] = place_of(from, held[first + l < count ? first + l : count - 1]);
 }
 
 /** What is booked of up to four motions: each a sum as vti_sum has it, all side by side. */

@@ -111,7 +111,7 @@ VTI_INLINE void vti_damping_coefficients(const vti_dashpots *p, const struct vti
 static inline const vti_held *vti_damping_held(const vti_dashpots *p, const struct vti_touch *touch)
 {
     static const vti_held none;
-    if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
+    if (p->friction == NULL || p->friction->history == NULL || p->friction->history->used == 0)
         return &none;
     const vti_held *held =
         vti_history_find(p->friction->history, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);

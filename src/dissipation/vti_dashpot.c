@@ -17,6 +17,7 @@ enum { FOUND = 8 * VTI_WINDOW };
 
 struct places {
     int64_t found[FOUND]; /* in the order of the list, as vti_touch_kernels.near has them */
+    int64_t guess[VTI_GUESSES];
     struct vti_window window;
 };
 
@@ -78,9 +79,24 @@ static void flow_singly(const void *sweep, const int64_t *found, int64_t count, 
     }
 }
 
+/** Finds what springs hold in the order of the list, in which it lies in memory. */
+static void find_held(const struct vti_sweep *s, const int64_t *found, int64_t count, int64_t guess[VTI_GUESSES])
+{
+    const vti_history *const history = s->p->friction->history;
+    const vti_contacts *const list = s->p->contacts;
+    int64_t next = history->used;
+    for (int64_t n = 0; n < count; ++n) {
+        const int64_t k = vti_touch_number(found[n]);
+        vti_history_next(history, 1 + vti_contact_body(list, k, 0), 1 + vti_contact_body(list, k, 1), &next);
+        guess[k % VTI_GUESSES] = next - 1;
+    }
+}
+
 /** Forwards or backwards. */
 static void flow_window(const struct vti_sweep *s, struct places *w, const int64_t *found, int64_t count)
 {
+    if (s->guess != NULL)
+        find_held(s, found, count, w->guess);
     vti_window_work(&w->window, s->p->contacts->pair, found, count, s->drift < 0.0,
                     s->p->by_body == NULL ? flow_colour : flow_singly, s);
 }
@@ -197,6 +213,12 @@ static void flow_walls(const struct vti_sweep *s)
         flow_wall(s, s->drift < 0.0 ? count - 1 - k : k);
 }
 
+/** Whether what springs hold is more than the nearest cache does. */
+static int has_many(const vti_friction *friction)
+{
+    return friction != NULL && friction->history != NULL && friction->history->used > 1 << 13;
+}
+
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_dashpots *p = self;
@@ -208,6 +230,10 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
         return;
     }
     vti_damping_all(p, s.damped);
+    if (has_many(p->friction)) {
+        memset(w.guess, 0, sizeof w.guess);
+        s.guess = w.guess;
+    }
     if (drift < 0.0)
         flow_walls(&s);
     if (pairs && !(drift < 0.0))

@@ -22,7 +22,10 @@ struct vti_sweep {
     const vti_bodies *b;
     double t, drift;
     int damped[MOTIONS];
+    const int64_t *guess; /* [VTI_GUESSES] where what pair k holds may stand, at k % VTI_GUESSES; NULL: not known */
 };
+
+enum { VTI_GUESSES = 1024 };
 
 /** What the touch is between here and the other end of the drift. */
 struct place {

@@ -39,24 +39,27 @@ static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *apa
 
 /* ---- flows ------------------------------------------------------------------------------------------------------- */
 
-/** What springs hold between bodies i and j, or where j is NULL at a wall: 0 where there are none. */
-VTI_INLINE void find_loads(const vti_dashpots *p, const struct side *i, const struct side *j, int64_t wall,
-                           struct vti_loads *f)
+/** What springs hold between bodies i and j of pairs which, or where j is NULL at a wall: 0 where there are none. */
+VTI_INLINE void find_loads(const struct vti_sweep *s, const int64_t *which, const struct side *i, const struct side *j,
+                           int64_t wall, struct vti_loads *f)
 {
     static const vti_friction none;
+    const vti_dashpots *const p = s->p;
     const vti_history *const table = p->friction != NULL ? p->friction->history : NULL;
     int64_t at[WIDTH] = {0}, holds[WIDTH];
-    if (table == NULL || table->slot == NULL) {
+    if (table == NULL || table->used == 0) {
         gather_loads(&none, NULL, at, f);
         return;
     }
     for (int l = 0; l < WIDTH; ++l) {
-        const vti_held *const held = vti_history_at(table, i->body[l] + 1, j != NULL ? j->body[l] + 1 : -1 - wall);
-        at[l] = slot_at(table->slot, held);
-        holds[l] = held->i;
+        const int64_t other = j != NULL ? j->body[l] + 1 : -1 - wall,
+                      place = j != NULL && s->guess != NULL ? s->guess[which[l] % VTI_GUESSES] : table->used;
+        const vti_held *const held = vti_history_guess(table, i->body[l] + 1, other, place);
+        holds[l] = held != NULL;
+        at[l] = held != NULL ? place_of(table->held, held) : 0;
     }
     const lanes_mask empty = lanes_zero(holds);
-    gather_loads(p->friction, table->slot, at, f);
+    gather_loads(p->friction, table->held, at, f);
     if (lanes_bits(empty) == 0)
         return;
     for (int k = 0; k < 3; ++k) {
@@ -75,7 +78,7 @@ VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, 
     gather_velocities(layout, s->b, &i, &j, &at.touch, &at.motion);
     at.out = lanes_of(0.0) > 0.0;
     at.damping.zeta = s->p->zeta;
-    find_loads(s->p, &i, &j, 0, &at.held);
+    find_loads(s, which, &i, &j, 0, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter_velocities(layout, s->b, &i, &j, &at.motion);
@@ -129,7 +132,7 @@ VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sw
     at.out = vti_face_near(&at.touch, p->reach) == 0;
     gather_velocities_at(layout, s->b, &i, &at.touch, &at.motion);
     at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[w] : p->zeta;
-    find_loads(p, &i, NULL, w, &at.held);
+    find_loads(s, body, &i, NULL, w, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter(layout, &s->b->v, &i, at.motion.v_i);

@@ -117,7 +117,7 @@ VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, con
     int64_t place[WIDTH], at[WIDTH];
     gather_touches(layout, p->contacts, b, whole(pairs->which, first, pairs->count, place), &c.touch, &i, &j);
     gather_motion(layout, &c, &i, &j, b, drifted, pairs, first);
-    whole_slots(pairs->held[0], pairs->held, first, pairs->count, at);
+    whole_places(pairs->held[0], pairs->held, first, pairs->count, at);
     gather_loads(p, pairs->held[0], at, &before);
     loads = before;
     vti_carry_loads(p, &c, lanes_of(p->sliding), &loads, &taken);
@@ -179,7 +179,7 @@ VTI_INLINE void carry_lanes_at_wall(enum touch_layout layout, const vti_friction
     gather_turns_at(layout, p->walls, b, drifted, &c.touch, &i, bodies, first, a_i, a_j);
     vti_carry_at_wall(&c, p->walls, drifted->t, x, v, a_j, d0);
     vti_carry_stretch(&c, d0, a_i, a_j);
-    whole_slots(bodies->held[0], bodies->held, first, bodies->count, at);
+    whole_places(bodies->held[0], bodies->held, first, bodies->count, at);
     gather_loads(p, bodies->held[0], at, &before);
     loads = before;
     vti_carry_loads(p, &c, lanes_of(vti_friction_of_wall(p, w)), &loads, &taken);

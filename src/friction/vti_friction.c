@@ -11,11 +11,11 @@
 #include "../contacts/vti_touch.h"
 #include "../vti_ready.h"
 
-/* ---- the table --------------------------------------------------------------------------------------------------- */
+/* ---- the history --------------------------------------------------------------------------------------------------- */
 
-static int is_power_of_2(int64_t n)
+static int has_slots(const vti_history *t)
 {
-    return n > 0 && (n & (n - 1)) == 0;
+    return t->slots > 0 && t->slots <= INT64_C(1) << 31 && (t->slots & (t->slots - 1)) == 0;
 }
 
 /** Whether a body, from 1, holds on to another or to a wall, with loads that are finite. */
@@ -29,18 +29,15 @@ static int is_held(const vti_held *h)
 
 int vti_history_add(vti_history *history, const vti_held *held)
 {
-    if (history == NULL || history->slot == NULL || held == NULL)
+    if (history == NULL || history->slot == NULL || history->held == NULL || held == NULL)
         return VTI_E_NULL;
-    if (!is_power_of_2(history->slots))
+    if (!has_slots(history) || history->used >= history->slots || !is_held(held))
         return VTI_E_HISTORY;
-    if (held->i == 0) /* an empty slot */
-        return VTI_OK;
-    if (!is_held(held))
+    vti_held *at = vti_history_find(history, held->i, held->j);
+    if (at == NULL)
+        at = vti_history_begin(history, held->i, held->j);
+    if (at == NULL)
         return VTI_E_HISTORY;
-    vti_held *const at = history->used < history->slots ? vti_history_at(history, held->i, held->j) : NULL;
-    if (at == NULL || (at->i == 0 && history->used + 1 >= history->slots))
-        return VTI_E_HISTORY;
-    history->used += at->i == 0;
     *at = *held;
     return VTI_OK;
 }
@@ -53,11 +50,12 @@ typedef void visitor(void *context, const struct vti_touch *touch, vti_held *hel
 static void visit_pairs(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
 {
     struct vti_touch touch;
+    int64_t next = 0;
     for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k) {
         if (!vti_touch_pair(&touch, p->contacts, b, k, 0.0))
             continue;
-        vti_held *const held = vti_history_at(p->history, touch.i + 1, touch.j + 1);
-        if (held->i != 0)
+        vti_held *const held = vti_friction_held(p, k, &next);
+        if (held != NULL)
             visit(context, &touch, held);
     }
 }
@@ -71,8 +69,8 @@ static void visit_wall(const vti_friction *p, const vti_bodies *b, int64_t w, vi
         uint64_t near = vti_friction_near_wall(p, b, w, first);
         for (; near != 0; near &= near - 1) {
             const int64_t i = first + vti_first_bit(near);
-            vti_held *const held = vti_history_at(p->history, 1 + i, -1 - w);
-            if (held->i != 0 && vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
+            vti_held *const held = vti_history_find(p->history, 1 + i, -1 - w);
+            if (held != NULL && vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
                 visit(context, &touch, held);
         }
     }
@@ -84,12 +82,12 @@ static void visit_wall(const vti_friction *p, const vti_bodies *b, int64_t w, vi
 static void push_pairs(const vti_friction *p, const vti_bodies *b)
 {
     const vti_contacts *const list = p->contacts;
-    int64_t pair[VTI_TOUCHES], count = 0;
+    int64_t pair[VTI_TOUCHES], count = 0, next = 0;
     vti_held *held[VTI_TOUCHES];
     for (int64_t k = 0; k < list->count; ++k) {
         pair[count] = k;
-        held[count] = vti_friction_slot(p, k);
-        count += held[count]->i != 0;
+        held[count] = vti_friction_held(p, k, &next);
+        count += held[count] != NULL;
         if (count < VTI_TOUCHES && k < list->count - 1)
             continue;
         vti_touch_kernels_for(count)->push(p, b, count, pair, held);
@@ -108,8 +106,8 @@ static void push_at_wall(const vti_friction *p, const vti_bodies *b, int64_t w)
         count = 0;
         for (; near != 0; near &= near - 1) {
             const int64_t i = body[count] = first + vti_first_bit(near);
-            held[count] = vti_history_at(p->history, 1 + i, -1 - w);
-            count += held[count]->i != 0;
+            held[count] = vti_history_find(p->history, 1 + i, -1 - w);
+            count += held[count] != NULL;
         }
         if (count > 0)
             vti_touch_kernels_for(count)->push_at(p, b, w, count, body, held);
@@ -266,12 +264,12 @@ static int check(const void *self, const vti_bodies *b)
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
     if (!good)
         return VTI_E_DAMPING;
-    if (p->lost == NULL || p->history == NULL || p->history->slot == NULL)
+    if (p->lost == NULL || p->history == NULL || p->history->slot == NULL || p->history->held == NULL)
         return VTI_E_NULL;
     const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
     if (status != VTI_OK)
         return status;
-    return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
+    return !has_slots(p->history) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
 }
 
 vti_effect vti_friction_effect(const vti_friction *friction)

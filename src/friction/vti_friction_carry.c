@@ -8,20 +8,6 @@
 #include "../vti_shares.h"
 #include "../vti_moments.h"
 
-/** The slot of a touch that holds something or begins to; NULL if there is no room. */
-static vti_held *hold(vti_history *history, int64_t i, int64_t j)
-{
-    vti_held *held = vti_history_at(history, i, j);
-    const vti_held none = {i, j, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
-    if (held->i != 0)
-        return held;
-    if (history->used + 1 >= history->slots)
-        return NULL;
-    *held = none;
-    ++history->used;
-    return held;
-}
-
 /* ---- touches that wait for a kernel ------------------------------------------------------------------------------ */
 
 /** What a drift is carried over, and the pairs, or the bodies at a wall, that wait for it. */
@@ -41,10 +27,10 @@ static int64_t body_of(const struct carrying *c, int64_t k, int side)
     return side == 0 ? c->waiting.which[k] : -1;
 }
 
-/** The slot of touch k of those that wait. */
-static vti_held *slot_of(const struct carrying *c, int64_t k)
+/** What touch k of those that wait holds. */
+static vti_held *held_by(const struct carrying *c, int64_t k)
 {
-    return vti_history_at(c->p->history, 1 + body_of(c, k, 0), c->wall < 0 ? 1 + body_of(c, k, 1) : -1 - c->wall);
+    return vti_history_find(c->p->history, 1 + body_of(c, k, 0), c->wall < 0 ? 1 + body_of(c, k, 1) : -1 - c->wall);
 }
 
 /** Increments of attitude of bodies that turn by L; beyond count, up to a whole number of lanes, the last ones again. */
@@ -108,7 +94,7 @@ static int tells(const struct carrying *c)
     return c->p->by_body != NULL || (c->wall < 0 ? c->p->by_pair != NULL : c->p->walls->by_body != NULL);
 }
 
-/** Carries the springs of those that wait; those that have parted leave the table. */
+/** Carries the springs of those that wait; those that have parted leave the history. */
 static void carry_waiting(struct carrying *c)
 {
     const int64_t count = c->waiting.count;
@@ -119,21 +105,23 @@ static void carry_waiting(struct carrying *c)
         carry_one(c, n);
     if (!tells(c) && count > 0)
         carry(c, c->p, &c->waiting);
-    for (int64_t k = 0; k < count; ++k)
-        if (c->waiting.delta[k] <= 0.0 && slot_of(c, k)->i != 0) /* which moves others; a list may name a pair twice */
-            vti_history_remove(c->p->history, slot_of(c, k));
+    for (int64_t k = 0; k < count; ++k) {
+        vti_held *const parted = c->waiting.delta[k] <= 0.0 ? held_by(c, k) : NULL; /* others have moved */
+        if (parted != NULL)                                                         /* a list may name a pair twice */
+            vti_history_remove(c->p->history, parted);
+    }
     c->waiting.count = 0;
 }
 
-/** A pair, or a body at the wall, that holds something in this slot or, as that is empty, begins to. */
+/** A pair, or a body at the wall, that holds something or, where held is NULL, begins to. */
 static void enlist(struct carrying *c, int64_t which, int64_t i, int64_t j, vti_held *held)
 {
     vti_history *const history = c->p->history;
-    if (held->i == 0)
-        held = hold(history, i, j);
+    if (held == NULL)
+        held = vti_history_begin(history, i, j);
     if (held == NULL) { /* those that part make room */
         carry_waiting(c);
-        held = hold(history, i, j);
+        held = vti_history_begin(history, i, j);
     }
     if (held == NULL) {
         ++history->missed;
@@ -161,26 +149,46 @@ static int was_near(const struct carrying *c, int64_t k)
     return motion.delta0 >= -c->p->reach;
 }
 
-/** A pair, if it touches or holds something: its springs begin where it does. */
-static void carry_pair(struct carrying *c, int64_t k, int touches)
+/** A pair, if it touches or holds something: its springs begin where it does. Returns 1 if what it holds does not stand at
+ *  next. */
+static int carry_pair(struct carrying *c, int64_t k, int touches, int64_t *next)
 {
-    vti_held *const held = vti_friction_slot(c->p, k);
-    if (held->i != 0 || (touches && was_near(c, k)))
+    const int64_t there = *next;
+    vti_held *const held = vti_friction_held(c->p, k, next);
+    if (held != NULL || (touches && was_near(c, k)))
         enlist(c, k, 1 + vti_contact_body(c->p->contacts, k, 0), 1 + vti_contact_body(c->p->contacts, k, 1), held);
+    return held != NULL && *next != there + 1;
+}
+
+/** What pairs hold comes into the order of the list, before all else. */
+static void order(const vti_friction *p)
+{
+    vti_history *const t = p->history;
+    int64_t k = 0, next = 0;
+    for (int64_t n = 0; n < p->contacts->count; ++n) {
+        vti_held *const held = vti_friction_held(p, n, &next);
+        if (held == NULL || held - t->held < k) /* named before */
+            continue;
+        if (held - t->held > k)
+            vti_history_swap(t, k, held);
+        next = ++k;
+    }
 }
 
 static void carry_pairs(struct carrying *c)
 {
     const vti_contacts *const list = c->p->contacts;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
-    int64_t pair[VTI_TOUCHES];
+    int64_t pair[VTI_TOUCHES], next = 0, astray = 0;
     for (int64_t first = 0; first < list->count; first += VTI_TOUCHES) {
         const int64_t left = list->count - first, most = left < VTI_TOUCHES ? left : VTI_TOUCHES,
                       found = kernels->near(list, c->b, c->p->reach, first, most, pair);
         for (int64_t n = 0; n < found; ++n)
-            carry_pair(c, vti_touch_number(pair[n]), pair[n] >= 0);
+            astray += carry_pair(c, vti_touch_number(pair[n]), pair[n] >= 0, &next);
     }
     carry_waiting(c);
+    if (astray > c->p->history->used / 8)
+        order(c->p);
 }
 
 /* ---- at walls ---------------------------------------------------------------------------------------------------- */
@@ -188,9 +196,9 @@ static void carry_pairs(struct carrying *c)
 /** A body at the wall, likewise. */
 static void carry_body(struct carrying *c, int64_t i)
 {
-    vti_held *const held = vti_history_at(c->p->history, 1 + i, -1 - c->wall);
+    vti_held *const held = vti_history_find(c->p->history, 1 + i, -1 - c->wall);
     struct vti_touch touch;
-    if (held->i != 0 || (vti_touch_wall(&touch, c->p->walls, c->b, c->wall, i, 0.0) && touch.delta > 0.0))
+    if (held != NULL || (vti_touch_wall(&touch, c->p->walls, c->b, c->wall, i, 0.0) && touch.delta > 0.0))
         enlist(c, i, 1 + i, -1 - c->wall, held);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Where springs of friction are looked up: slots of pairs, bodies near a wall. */
+ * Where springs of friction are looked up: what pairs hold, bodies near a wall. */
 #ifndef VTI_FRICTION_TOUCHES_H
 #define VTI_FRICTION_TOUCHES_H
 
@@ -10,10 +10,11 @@
 /** The effect's carry. */
 void vti_friction_carry(const void *self, const vti_bodies *b, const vti_drifted *drifted);
 
-/** The slot of pair k. */
-static inline vti_held *vti_friction_slot(const vti_friction *p, int64_t k)
+/** What pair k holds, or NULL, where next is as vti_history_next has it. */
+static inline vti_held *vti_friction_held(const vti_friction *p, int64_t k, int64_t *next)
 {
-    return vti_history_at(p->history, 1 + vti_contact_body(p->contacts, k, 0), 1 + vti_contact_body(p->contacts, k, 1));
+    return vti_history_next(p->history, 1 + vti_contact_body(p->contacts, k, 0),
+                            1 + vti_contact_body(p->contacts, k, 1), next);
 }
 
 /** Of the bodies from the first on, as many as a kernel takes, those at wall w, as vti_touch_kernels.near_wall has

@@ -20,7 +20,7 @@ VTI_INLINE void add_loads(enum touch_layout layout, const vti_bodies *b, int64_t
 /** F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f of sliding, T_i -= f, T_j += f of rolling, and of twisting
  *  with f n; nothing where they do not touch. */
 VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, const int64_t *which,
-                           const vti_held *slots, const int64_t slot[WIDTH], int64_t count)
+                           const vti_held *from, const int64_t place[WIDTH], int64_t count)
 {
     enum { F_I, F_J, T_I, T_J, ROWS };
     struct vti_touch at;
@@ -30,7 +30,7 @@ VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, cons
     double row[ROWS][3 * WIDTH];
     int64_t to[WIDTH];
     gather_touches(layout, p->contacts, b, which, &at, &i, &j);
-    gather_loads(p, slots, slot, &f);
+    gather_loads(p, from, place, &f);
     lanes_cross(at.n, f.sliding, across);
     for (int k = 0; k < 3; ++k) {
         const lanes moment = f.rolling[k] + f.twisting * at.n[k];
@@ -62,17 +62,17 @@ static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t cou
                          vti_held *const *held)
 {
     const int packed = is_loaded_packed(b);
-    int64_t place[WIDTH], slot[WIDTH];
+    int64_t place[WIDTH], at[WIDTH];
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const pairs = whole(which, first, count, place);
-        whole_slots(held[0], held, first, count, slot);
-        BY_LAYOUT(packed, push_lanes, p, b, pairs, held[0], slot, count - first);
+        whole_places(held[0], held, first, count, at);
+        BY_LAYOUT(packed, push_lanes, p, b, pairs, held[0], at, count - first);
     }
 }
 
 /** The same on bodies at wall w. */
 VTI_INLINE void push_lanes_at_wall(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, int64_t w,
-                                   const int64_t *body, const vti_held *slots, const int64_t slot[WIDTH], int64_t count)
+                                   const int64_t *body, const vti_held *from, const int64_t place[WIDTH], int64_t count)
 {
     struct vti_touch at;
     struct vti_loads f;
@@ -83,7 +83,7 @@ VTI_INLINE void push_lanes_at_wall(enum touch_layout layout, const vti_friction 
     side_of(body, &i);
     gather(layout, &b->x, &i, x);
     vti_face_touch(&at, p->walls, w, x, 0.5 * scalars(&p->walls->diameter, &i));
-    gather_loads(p, slots, slot, &f);
+    gather_loads(p, from, place, &f);
     lanes_cross(at.n, f.sliding, across);
     const lanes_mask touches = vti_face_near(&at, 0.0);
     for (int k = 0; k < 3; ++k) {
@@ -102,11 +102,11 @@ static void push_springs_at_wall(const vti_friction *p, const vti_bodies *b, int
                                  const int64_t *body, vti_held *const *held)
 {
     const int packed = is_loaded_packed(b);
-    int64_t place[WIDTH], slot[WIDTH];
+    int64_t place[WIDTH], at[WIDTH];
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const bodies = whole(body, first, count, place);
-        whole_slots(held[0], held, first, count, slot);
-        BY_LAYOUT(packed, push_lanes_at_wall, p, b, w, bodies, held[0], slot, count - first);
+        whole_places(held[0], held, first, count, at);
+        BY_LAYOUT(packed, push_lanes_at_wall, p, b, w, bodies, held[0], at, count - first);
     }
 }
 

@@ -128,6 +128,7 @@ static const int64_t layout[] = {
     AT(vti_history, slots),
     AT(vti_history, used),
     AT(vti_history, missed),
+    AT(vti_history, held),
     AT(vti_history, slot),
     SIZE(vti_friction),
     AT(vti_friction, contacts),

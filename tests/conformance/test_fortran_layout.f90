@@ -132,7 +132,7 @@ contains
         call add(c_sizeof(held), c_loc(held), [c_loc(held%i), c_loc(held%j), c_loc(held%sliding), &
             c_loc(held%rolling), c_loc(held%twisting)])
         call add(c_sizeof(history), c_loc(history), [c_loc(history%slots), c_loc(history%used), &
-            c_loc(history%missed), c_loc(history%slot)])
+            c_loc(history%missed), c_loc(history%held), c_loc(history%slot)])
         call add(c_sizeof(friction), c_loc(friction), [c_loc(friction%contacts), c_loc(friction%walls), &
             c_loc(friction%sliding), c_loc(friction%rolling), c_loc(friction%twisting), c_loc(friction%stiffness), &
             c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &

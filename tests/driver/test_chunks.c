@@ -121,11 +121,13 @@ struct whole {
 
 static void make_whole(const struct model *model, struct whole *w)
 {
-    static vti_held slot[16384];
+    static vti_held entries[16384];
+    static int64_t slot[16384];
     const struct friction_self *self = model->instances[FRICTION].self;
     memset(slot, 0, sizeof slot);
     memset(w, 0, sizeof *w);
     w->history.slots = 16384;
+    w->history.held = entries;
     w->history.slot = slot;
     w->friction = self->friction;
     w->friction.history = &w->history;

@@ -18,7 +18,8 @@ struct world {
     vti_wall_motion motion;
     vti_friction friction;
     vti_history history;
-    vti_held slot[256];
+    vti_held entries[256];
+    int64_t slot[256];
     vti_sum lost[4], rubbed[3], work, of[BODIES][4], rubbing[BODIES][3], worked[BODIES];
     vti_bodies b;
 };
@@ -74,7 +75,7 @@ static void make(struct world *m, uint64_t seed, int uneven)
                            .stiffness = 50,
                            .motion = &m->motion,
                            .work = &m->work};
-    m->history = (vti_history){.slots = 256, .slot = m->slot};
+    m->history = (vti_history){.slots = 256, .held = m->entries, .slot = m->slot};
     m->friction = (vti_friction){.contacts = &m->contacts,
                                  .walls = &m->walls,
                                  .sliding = 0.1,

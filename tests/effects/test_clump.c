@@ -530,7 +530,8 @@ TEST(rupture_passes_through)
 /** Steps of clumps that touch, rub, damp and slow each other, bodies of three moments; and how long they may be. */
 static void stepped(troop *all, int64_t base, vti_stable stable[2])
 {
-    static vti_held slot[2][1024];
+    static vti_held held[2][1024];
+    static int64_t slot[2][1024];
     static double moments[CROWD_MAX][3];
     const double rate = 0.3;
     double scratch[CROWD_MAX];
@@ -552,7 +553,7 @@ static void stepped(troop *all, int64_t base, vti_stable stable[2])
     b.spin = b.omega;
     b.omega = vti_view_none();
     memset(slot, 0, sizeof slot);
-    vti_history history = {.slots = 1024, .slot = slot[base]};
+    vti_history history = {.slots = 1024, .held = held[base], .slot = slot[base]};
     const vti_friction friction = {.contacts = &all->contacts,
                                    .sliding = 0.3,
                                    .stiffness = 5,

@@ -338,9 +338,10 @@ TEST(equal_moments_are_spheres)
         m.plane[0][2] = 1;
         m.plane[0][3] = -0.5;
         vti_sum other[4] = {{0, 0}}, rubbed[3] = {{0, 0}};
-        static vti_held slots[UNEVEN_SLOTS];
+        static vti_held entries[UNEVEN_SLOTS];
+        static int64_t slots[UNEVEN_SLOTS];
         memset(slots, 0, sizeof slots);
-        vti_history history = {UNEVEN_SLOTS, 0, 0, slots};
+        vti_history history = {UNEVEN_SLOTS, 0, 0, entries, slots};
         const vti_friction friction = {.contacts = &m.t.contacts,
                                        .walls = &m.walls,
                                        .sliding = 0.4,

@@ -196,7 +196,8 @@ enum { SLOTS = 8 };
 
 struct collision {
     impact m;
-    vti_held slots[SLOTS];
+    vti_held entries[SLOTS];
+    int64_t slots[SLOTS];
     vti_history history;
     vti_sum lost[VTI_FRICTION_BOOKS];
     vti_friction friction;
@@ -213,7 +214,7 @@ static void prepare(struct collision *s, double size)
     s->m.c.x[0][1] = 0.3;
     s->m.c.v[0][0] = -1;
     s->m.c.omega[0][2] = 2;
-    s->history = (vti_history){SLOTS, 0, 0, s->slots};
+    s->history = (vti_history){SLOTS, 0, 0, s->entries, s->slots};
     s->friction = (vti_friction){.contacts = &s->m.contacts,
                                  .sliding = 0.3,
                                  .mindlin = 0.8,

@@ -195,8 +195,9 @@ TEST(limits_beside_springs)
         for (int k = 0; k < 3; ++k)
             load[k] -= along * m.plane[0][k];
         const double factor = limit * (full ? 1 : uniform(&g, 0, 1)) / vti_norm(load);
-        vti_held slots[4] = {{0}}, held = {1, plane ? -1 : 2, {0}, {0}, 0};
-        vti_history history = {4, 0, 0, slots};
+        int64_t slots[4] = {0};
+        vti_held entries[4], held = {1, plane ? -1 : 2, {0}, {0}, 0};
+        vti_history history = {4, 0, 0, entries, slots};
         for (int k = 0; k < 3; ++k)
             (rolls ? held.rolling : held.sliding)[k] = load[k] *= factor;
         assert_int_equal(vti_history_add(&history, &held), VTI_OK);

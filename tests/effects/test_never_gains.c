@@ -9,7 +9,8 @@ enum { SLOTS = 1024 };
 static long impacts = 1800, clusters = 12;
 
 static impact m;
-static vti_held slots[SLOTS];
+static vti_held entries[SLOTS];
+static int64_t slots[SLOTS];
 static vti_history history;
 static vti_sum rubbed[VTI_FRICTION_BOOKS];
 static vti_friction friction;
@@ -46,7 +47,7 @@ static void act(int lossy, int walls)
     memset(slots, 0, sizeof slots);
     memset(rubbed, 0, sizeof rubbed);
     memset(m.lost, 0, sizeof m.lost);
-    history = (vti_history){SLOTS, 0, 0, slots};
+    history = (vti_history){SLOTS, 0, 0, entries, slots};
     m.count = 0;
     impact_add(&m, vti_contacts_effect(&m.contacts));
     if (walls)

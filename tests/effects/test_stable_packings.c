@@ -140,7 +140,8 @@ TEST(hidden_neighbours)
     } cases[] = {{1, 0.05}, {1, 0.4}, {3, 0.3}, {9, 0.1}, {9, 0.2}, {9, 0.4}, {19, 0.2}, {49, 0.1}};
     enum { BODIES = 200000 };
     static double diameter[BODIES], still[6][BODIES][3], heavy[BODIES], scratch[BODIES];
-    static vti_held slots[2];
+    static vti_held entries[2];
+    static int64_t slots[2];
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         for (int64_t i = 0; i < BODIES; ++i) {
             diameter[i] = i == 0 ? 2 * cases[k].R : 2;
@@ -152,7 +153,7 @@ TEST(hidden_neighbours)
             *views[v] = vti_view_packed(still[v][0]);
         b.mass = vti_scalars_one(&heavy[1]);
         b.inertia = vti_scalars_array(heavy);
-        vti_history history = {2, 0, 0, slots};
+        vti_history history = {2, 0, 0, entries, slots};
         vti_sum lost[3] = {{0, 0}};
         const vti_contacts contacts = {.diameter = vti_scalars_array(diameter), .stiffness = 1e-12};
         const vti_friction friction = {.contacts = &contacts,

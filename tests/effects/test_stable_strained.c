@@ -403,8 +403,9 @@ TEST(friction_and_nan)
 {
     const double D = 1, k = 1, plane[4] = {1, 0, 0, 1}, bad[2] = {NAN, -0.1};
     const int64_t pair[2] = {0, 1};
-    static vti_held slots[4];
-    vti_history table = {4, 0, 0, slots};
+    static vti_held entries[4];
+    static int64_t slots[4];
+    vti_history table = {4, 0, 0, entries, slots};
     vti_sum lost[VTI_FRICTION_BOOKS] = {{0, 0}};
     const vti_walls wall = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&D), .stiffness = 1};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&D), .stiffness = 1};

@@ -168,7 +168,8 @@ static void carries(const struct vti_touch_kernels *kernels)
 
 /* ---- dashpots ---------------------------------------------------------------------------------------------------- */
 
-static vti_held slots[4 * PAIRS];
+static vti_held entries[4 * PAIRS];
+static int64_t slots[4 * PAIRS];
 
 /** The flow of each pair alone. */
 static void expect_flow(const struct vti_sweep *s)
@@ -223,7 +224,7 @@ static void flows(const struct vti_touch_kernels *kernels)
         b.mass = trial % 5 ? vti_scalars_array(weight[0]) : vti_scalars_one(weight[0]);
         b.inertia = trial % 3 ? vti_scalars_array(weight[1]) : vti_scalars_one(weight[1]);
         const vti_contacts contacts = contacts_in(trial / LAYOUTS);
-        vti_history history = {4 * PAIRS, 0, 0, slots};
+        vti_history history = {4 * PAIRS, 0, 0, entries, slots};
         while (history.slots & (history.slots - 1))
             history.slots &= history.slots - 1;
         memset(slots, 0, sizeof slots);

@@ -10,7 +10,8 @@ static const double mu = 0.3, stiffness = 1500, zeta = 0.1, ratio = 0.5;
 
 static impact m;
 static usual u;
-static vti_held slots[SLOTS];
+static vti_held entries[SLOTS];
+static int64_t slots[SLOTS];
 static vti_history history;
 static vti_sum rubbed[VTI_FRICTION_BOOKS];
 static vti_friction friction;
@@ -27,7 +28,7 @@ static void act(int walls, double g)
 {
     memset(slots, 0, sizeof slots);
     memset(rubbed, 0, sizeof rubbed);
-    history = (vti_history){SLOTS, 0, 0, slots};
+    history = (vti_history){SLOTS, 0, 0, entries, slots};
     gravity = (vti_gravity){{0, 0, -g}};
     friction = (vti_friction){.contacts = &m.contacts,
                               .walls = walls ? &m.walls : NULL,

@@ -156,9 +156,8 @@ TEST(goes_with_the_wall)
         const vti_effect both[2] = {vti_walls_effect(&m.walls), vti_friction_effect(&friction)};
         const vti_drifted drifted = {.t = t, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
         assert_int_equal(vti_effects_carry(both, 2, &drifted, &m.b), VTI_OK);
-        const vti_held *kept = slots;
-        while (kept->i == 0)
-            ++kept;
+        const vti_held *const kept = entries;
+        assert_int_equal(history.used, 1);
         assert_close3(kept->sliding, turned, 1e-11);
         assert_close3(kept->rolling, turned, 1e-11);
         assert_close(kept->twisting, 0.5, 1e-11);

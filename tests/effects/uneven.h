@@ -19,7 +19,8 @@ typedef struct uneven {
     vti_walls walls;
     vti_bodies b;
     vti_sum lost[4], rubbed[3];
-    vti_held slot[UNEVEN_SLOTS];
+    vti_held entries[UNEVEN_SLOTS];
+    int64_t slot[UNEVEN_SLOTS];
     vti_history history;
     int64_t count;
     vti_effect inner[UNEVEN_EFFECTS], effects[UNEVEN_EFFECTS];
@@ -33,7 +34,7 @@ static inline void uneven_clear(uneven *m, enum uneven_kind kind, enum crowd_sto
     m->kind = kind;
     crowd_clear(&m->t.c, n, storage);
     crowd_clear(&m->t.s, 0, CROWD_ALPHA);
-    m->history = (vti_history){UNEVEN_SLOTS, 0, 0, m->slot};
+    m->history = (vti_history){UNEVEN_SLOTS, 0, 0, m->entries, m->slot};
     for (int i = 0; i < n; ++i)
         m->principal[i][3] = m->moments[i][0] = m->moments[i][1] = m->moments[i][2] = 1;
 }

@@ -10,7 +10,8 @@ enum { SLOTS = 64 };
 static impact m;
 static vti_wall_motion motion[6];
 static vti_sum work;
-static vti_held slots[SLOTS];
+static vti_held entries[SLOTS];
+static int64_t slots[SLOTS];
 static vti_history history;
 static vti_friction friction;
 static vti_dashpots dashpots;
@@ -37,7 +38,7 @@ static inline void rub(void)
     static vti_sum lost[3];
     memset(slots, 0, sizeof slots);
     memset(lost, 0, sizeof lost);
-    history = (vti_history){SLOTS, 0, 0, slots};
+    history = (vti_history){SLOTS, 0, 0, entries, slots};
     friction = (vti_friction){.walls = &m.walls,
                               .sliding = 0.3,
                               .stiffness = 1500,

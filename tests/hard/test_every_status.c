@@ -16,7 +16,8 @@ static int reached(int status)
     vti_sum lost[VTI_DRAG_BOOKS];
     vti_drag drag = {.lost = lost};
     vti_held held = {.i = 1, .j = 2};
-    vti_history history = {.slots = 3, .slot = &held};
+    int64_t slot[3] = {0};
+    vti_history history = {.slots = 3, .held = &held, .slot = slot};
     vti_past past = {NULL, 1, 0};
     vti_control control;
     const vti_stepper *const vti1 = vti_stepper_find("vti1");

@@ -89,8 +89,9 @@ TEST(numbers_after_the_seal)
 TEST(lists_that_are_shared)
 {
     static vti_sum lost[VTI_DASHPOT_BOOKS];
-    static vti_held slots[2];
-    vti_history history = {2, 0, 0, slots};
+    static vti_held entries[2];
+    static int64_t slots[2];
+    vti_history history = {2, 0, 0, entries, slots};
     const vti_dashpots dashpots = {.contacts = &contacts, .normal = 1, .reach = 1, .lost = lost};
     const vti_friction friction = {
         .contacts = &contacts, .sliding = 1, .stiffness = 1, .reach = 1, .history = &history, .lost = lost};
