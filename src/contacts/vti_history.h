@@ -13,9 +13,8 @@
 /** A slot is 0, or has 32 bits of the key's hash above 1 + the number of what is held. */
 static inline uint64_t vti_history_hash(int64_t i, int64_t j)
 {
-    uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
-    key = (key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9);
-    return key & UINT64_C(0xffffffff00000000);
+    const uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
+    return key * UINT64_C(0xbf58476d1ce4e5b9) & UINT64_C(0xffffffff00000000);
 }
 
 static inline int64_t vti_history_home(const vti_history *t, uint64_t slot)
@@ -51,16 +50,11 @@ static inline vti_held *vti_history_find(const vti_history *t, int64_t i, int64_
     return slot != 0 ? &t->held[vti_history_number(slot)] : NULL;
 }
 
-/** The same where it may stand at this place, from 0. */
-static inline vti_held *vti_history_guess(const vti_history *t, int64_t i, int64_t j, int64_t place)
-{
-    return place < t->used && vti_history_is(&t->held[place], i, j) ? &t->held[place] : vti_history_find(t, i, j);
-}
-
 /** The same for one who goes along a list, next being where the last one ended: there it is, mostly. */
 static inline vti_held *vti_history_next(const vti_history *t, int64_t i, int64_t j, int64_t *next)
 {
-    vti_held *const held = vti_history_guess(t, i, j, *next);
+    vti_held *const held =
+        *next < t->used && vti_history_is(&t->held[*next], i, j) ? &t->held[*next] : vti_history_find(t, i, j);
     *next = held != NULL ? held - t->held + 1 : *next;
     return held;
 }

@@ -52,9 +52,10 @@ VTI_INLINE void find_loads(const struct vti_sweep *s, const int64_t *which, cons
         return;
     }
     for (int l = 0; l < WIDTH; ++l) {
-        const int64_t other = j != NULL ? j->body[l] + 1 : -1 - wall,
-                      place = j != NULL && s->guess != NULL ? s->guess[which[l] % VTI_GUESSES] : table->used;
-        const vti_held *const held = vti_history_guess(table, i->body[l] + 1, other, place);
+        const int64_t one = i->body[l] + 1, other = j != NULL ? j->body[l] + 1 : -1 - wall,
+                      place = j != NULL && s->guess != NULL ? s->guess[which[l] % VTI_GUESSES] : 0;
+        const vti_held *const held =
+            vti_history_is(&table->held[place], one, other) ? &table->held[place] : vti_history_find(table, one, other);
         holds[l] = held != NULL;
         at[l] = held != NULL ? place_of(table->held, held) : 0;
     }
