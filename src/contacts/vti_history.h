@@ -50,11 +50,13 @@ static inline vti_held *vti_history_find(const vti_history *t, int64_t i, int64_
     return slot != 0 ? &t->held[vti_history_number(slot)] : NULL;
 }
 
-/** The same for one who goes along a list, next being where the last one ended: there it is, mostly. */
-static inline vti_held *vti_history_next(const vti_history *t, int64_t i, int64_t j, int64_t *next)
+/** The same for one who goes along a list, next being where the last one ended: mostly it is one of so many from there on. */
+static inline vti_held *vti_history_next(const vti_history *t, int64_t i, int64_t j, int64_t most, int64_t *next)
 {
-    vti_held *const held =
-        *next < t->used && vti_history_is(&t->held[*next], i, j) ? &t->held[*next] : vti_history_find(t, i, j);
+    int64_t k = *next, end = k + most < t->used ? k + most : t->used;
+    while (k < end && !vti_history_is(&t->held[k], i, j))
+        ++k;
+    vti_held *const held = k < end ? &t->held[k] : vti_history_find(t, i, j);
     *next = held != NULL ? held - t->held + 1 : *next;
     return held;
 }

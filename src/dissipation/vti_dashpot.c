@@ -79,15 +79,17 @@ static void flow_singly(const void *sweep, const int64_t *found, int64_t count, 
     }
 }
 
-/** Finds what springs hold in the order of the list, in which it lies in memory. */
+/** Finds what springs hold in the order of the list, in which it lies in memory, but that the friction's list may have a few
+ *  pairs between them. */
 static void find_held(const struct vti_sweep *s, const int64_t *found, int64_t count, int64_t guess[VTI_GUESSES])
 {
     const vti_history *const history = s->p->friction->history;
     const vti_contacts *const list = s->p->contacts;
+    const int64_t few = 4;
     int64_t next = history->used;
     for (int64_t n = 0; n < count; ++n) {
         const int64_t k = vti_touch_number(found[n]);
-        vti_history_next(history, 1 + vti_contact_body(list, k, 0), 1 + vti_contact_body(list, k, 1), &next);
+        vti_history_next(history, 1 + vti_contact_body(list, k, 0), 1 + vti_contact_body(list, k, 1), few, &next);
         guess[k % VTI_GUESSES] = next - 1;
     }
 }
@@ -213,10 +215,10 @@ static void flow_walls(const struct vti_sweep *s)
         flow_wall(s, s->drift < 0.0 ? count - 1 - k : k);
 }
 
-/** Whether what springs hold is more than the nearest cache does. */
+/** Whether springs hold so much that it pays to know where it stands. */
 static int has_many(const vti_friction *friction)
 {
-    return friction != NULL && friction->history != NULL && friction->history->used > 1 << 13;
+    return friction != NULL && friction->history != NULL && friction->history->used > 1024;
 }
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)

@@ -14,7 +14,7 @@ void vti_friction_carry(const void *self, const vti_bodies *b, const vti_drifted
 static inline vti_held *vti_friction_held(const vti_friction *p, int64_t k, int64_t *next)
 {
     return vti_history_next(p->history, 1 + vti_contact_body(p->contacts, k, 0),
-                            1 + vti_contact_body(p->contacts, k, 1), next);
+                            1 + vti_contact_body(p->contacts, k, 1), 1, next);
 }
 
 /** Of the bodies from the first on, as many as a kernel takes, those at wall w, as vti_touch_kernels.near_wall has
