@@ -6,7 +6,7 @@
 
 #include "../../src/contacts/vti_history.h"
 
-enum { BODIES = 9000, PAIRS = BODIES - 1, SLOTS = 16384, FAR = 9, PIECE = 256 };
+enum { BODIES = 9000, PAIRS = BODIES - 1, SLOTS = 16384, FAR = 15, PIECE = 256 };
 
 static double x[BODIES][3], v[BODIES][3], omega[BODIES][3], alpha[BODIES][3];
 static int64_t chain[PAIRS][2], listed[PAIRS * (1 + FAR)][2], slot[2][SLOTS];
@@ -95,6 +95,36 @@ TEST(order_of_the_list)
     assert_true(history[0].used == PAIRS && history[1].used == PAIRS);
 }
 
+/** Of pairs that part at once, many one behind the other, nothing is left, and of the others all. */
+TEST(many_part)
+{
+    const vti_drifted drifted = {.t = 0.01, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
+    rng g = rng_seed(2911);
+    vti_bodies b = draw(&g);
+    empty(0);
+    const vti_friction friction = friction_of(0);
+    const vti_effect effect = vti_friction_effect(&friction);
+    assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+    assert_int_equal(history[0].used, PAIRS);
+    int64_t stay = 0;
+    for (int i = 0; i < BODIES; ++i) /* apart, but for one of seven */
+        x[i][0] = 1.05 * i - 0.1 * (i % 7 == 3);
+    for (int round = 0; round < 2; ++round) {
+        assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+        stay = 0;
+        for (int64_t k = 0; k < PAIRS; ++k) {
+            const int holds = vti_history_find(&history[0], 1 + k, 2 + k) != NULL;
+            assert_int_equal(holds, x[k + 1][0] - x[k][0] < 1.0);
+            stay += holds;
+        }
+        assert_int_equal(history[0].used, stay);
+    }
+    int64_t taken = 0;
+    for (int64_t k = 0; k < SLOTS; ++k)
+        taken += slot[0][k] != 0;
+    assert_true(taken == stay && stay > PAIRS / 8);
+}
+
 /** Dashpots of all pairs at once, also where the list has others far apart between them, as window by window with no more than
  *  its own springs: the same bits. */
 TEST(springs_between_dashpots)
@@ -112,7 +142,7 @@ TEST(springs_between_dashpots)
             empty(0);
             memcpy(start, v, sizeof v);
             for (int64_t k = 0; k < PAIRS; ++k) {
-                const vti_held held = {1 + k, 2 + k, {0.0, 1e-3 * uniform(&g, -1, 1), 0.0}, {0.0, 0.0, 0.0}, 0.0};
+                const vti_held held = {1 + k, 2 + k, {0.0, 0.015 * uniform(&g, -1, 1), 0.0}, {0.0, 0.0, 0.0}, 0.0};
                 for (int n = 0; n < (far ? 1 + FAR : 1); ++n) {
                     int64_t *const pair = listed[far ? k * (1 + FAR) + n : k];
                     pair[0] = n == 0 ? k : 0;
@@ -144,4 +174,4 @@ TEST(springs_between_dashpots)
     assert_true(memcmp(start, first, sizeof start) != 0);
 }
 
-RUN_TESTS(cmocka_unit_test(order_of_the_list), cmocka_unit_test(springs_between_dashpots))
+RUN_TESTS(cmocka_unit_test(order_of_the_list), cmocka_unit_test(many_part), cmocka_unit_test(springs_between_dashpots))
