@@ -194,7 +194,7 @@ static void put_digits(const struct decimal *d, int digits, char text[NUMBER_TEX
         snprintf(p, 8, "e%+03d", d->exponent);
 }
 
-/** write_digits at a third of its price, from all digits; 0 too where these do not tell. */
+/** write_digits without printf where all digits tell. */
 static int write_rounded(const struct decimal *all, int digits, double value, char text[NUMBER_TEXT])
 {
     struct decimal d = *all;

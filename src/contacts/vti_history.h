@@ -10,21 +10,21 @@
 
 #include "vti.h"
 
-/** A slot is 0, or has 32 bits of the key's hash above 1 + the number of what is held. */
-static inline uint64_t vti_history_hash(int64_t i, int64_t j)
+/** A slot is 0, or has the hash above 1 + the number of what is held. */
+static inline uint32_t vti_history_hash(int64_t i, int64_t j)
 {
     const uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
-    return key * UINT64_C(0xbf58476d1ce4e5b9) & UINT64_C(0xffffffff00000000);
+    return (uint32_t)(key * UINT64_C(0xbf58476d1ce4e5b9) >> 32);
 }
 
-static inline int64_t vti_history_home(const vti_history *t, uint64_t slot)
+static inline uint32_t vti_history_hash_of(int64_t slot)
 {
-    return (int64_t)(slot >> 32) & (t->slots - 1);
+    return (uint32_t)((uint64_t)slot >> 32);
 }
 
-static inline int64_t vti_history_number(int64_t slot)
+static inline vti_held *vti_history_held(const vti_history *t, int64_t slot)
 {
-    return (int64_t)((uint64_t)slot & UINT64_C(0xffffffff)) - 1;
+    return &t->held[(int64_t)(uint32_t)slot - 1];
 }
 
 static inline int vti_history_is(const vti_held *held, int64_t i, int64_t j)
@@ -35,11 +35,11 @@ static inline int vti_history_is(const vti_held *held, int64_t i, int64_t j)
 /** The slot of the touch, or the empty one where it would be; i and j are those of vti_held. */
 static inline int64_t *vti_history_slot(const vti_history *t, int64_t i, int64_t j)
 {
-    const uint64_t hash = vti_history_hash(i, j);
-    int64_t k = vti_history_home(t, hash);
-    while (t->slot[k] != 0 && (((uint64_t)t->slot[k] ^ hash) >> 32 != 0 ||
-                               !vti_history_is(&t->held[vti_history_number(t->slot[k])], i, j)))
-        k = (k + 1) & (t->slots - 1);
+    const uint32_t hash = vti_history_hash(i, j);
+    int64_t k = (int64_t)hash & (t->slots - 1);
+    for (int64_t slot; (slot = t->slot[k]) != 0; k = (k + 1) & (t->slots - 1))
+        if (vti_history_hash_of(slot) == hash && vti_history_is(vti_history_held(t, slot), i, j))
+            break;
     return &t->slot[k];
 }
 
@@ -47,7 +47,7 @@ static inline int64_t *vti_history_slot(const vti_history *t, int64_t i, int64_t
 static inline vti_held *vti_history_find(const vti_history *t, int64_t i, int64_t j)
 {
     const int64_t slot = *vti_history_slot(t, i, j);
-    return slot != 0 ? &t->held[vti_history_number(slot)] : NULL;
+    return slot != 0 ? vti_history_held(t, slot) : NULL;
 }
 
 /** The same for one who goes along a list, next being where the last one ended: mostly it is one of so many from there on. */
@@ -68,8 +68,8 @@ static inline vti_held *vti_history_begin(vti_history *t, int64_t i, int64_t j)
     if (t->used + 1 >= t->slots)
         return NULL;
     t->held[t->used] = nothing;
-    *vti_history_slot(t, i, j) = (int64_t)(vti_history_hash(i, j) | (uint64_t)++t->used);
-    return &t->held[t->used - 1];
+    *vti_history_slot(t, i, j) = (int64_t)((uint64_t)vti_history_hash(i, j) << 32 | (uint64_t)(t->used + 1));
+    return &t->held[t->used++];
 }
 
 /** Empties a slot. */
@@ -77,7 +77,7 @@ static inline void vti_history_close(vti_history *t, int64_t gap)
 {
     const int64_t mask = t->slots - 1;
     for (int64_t k = (gap + 1) & mask; t->slot[k] != 0; k = (k + 1) & mask) {
-        const int64_t home = vti_history_home(t, (uint64_t)t->slot[k]);
+        const int64_t home = (int64_t)vti_history_hash_of(t->slot[k]) & mask;
         if (((k - home) & mask) < ((k - gap) & mask)) /* at home behind the gap */
             continue;
         t->slot[gap] = t->slot[k];

@@ -46,16 +46,17 @@ VTI_INLINE void find_loads(const struct vti_sweep *s, const int64_t *which, cons
     static const vti_friction none;
     const vti_dashpots *const p = s->p;
     const vti_history *const table = p->friction != NULL ? p->friction->history : NULL;
+    const int64_t *const guess = j != NULL ? s->guess : NULL;
     int64_t at[WIDTH] = {0}, holds[WIDTH];
     if (table == NULL || table->used == 0) {
         gather_loads(&none, NULL, at, f);
         return;
     }
     for (int l = 0; l < WIDTH; ++l) {
-        const int64_t one = i->body[l] + 1, other = j != NULL ? j->body[l] + 1 : -1 - wall,
-                      place = j != NULL && s->guess != NULL ? s->guess[which[l] % VTI_GUESSES] : 0;
-        const vti_held *const held =
-            vti_history_is(&table->held[place], one, other) ? &table->held[place] : vti_history_find(table, one, other);
+        const int64_t one = i->body[l] + 1, other = j != NULL ? j->body[l] + 1 : -1 - wall;
+        const vti_held *held = guess != NULL ? &table->held[guess[which[l] % VTI_GUESSES]] : NULL;
+        if (guess == NULL || !vti_history_is(held, one, other))
+            held = vti_history_find(table, one, other);
         holds[l] = held != NULL;
         at[l] = held != NULL ? place_of(table->held, held) : 0;
     }

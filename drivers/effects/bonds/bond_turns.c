@@ -199,12 +199,14 @@ static int64_t follow_part(void *self, int64_t part)
     return turned;
 }
 
-/** Whether no body is turned by 15 degrees, |alpha| < 2 tan(7.5), and so no two by 30 against each other. */
-static int are_near(const struct bond_turns *b, const vti_bodies *bodies)
+/** 1 if some body of a part is turned by 15 degrees, |alpha| > 2 tan(7.5): two others are not by 30 against each other. */
+static int64_t part_is_turned(void *self, int64_t part)
 {
     static const double limit = 0.0693, none[3];
-    return bonds_of(b)->turn == NULL &&
-           !far_any(&bodies->alpha, bodies->first, bodies->first + bodies->count, NULL, none, limit);
+    const struct following *f = self;
+    const vti_bodies *const b = f->bodies;
+    return far_any(&b->alpha, b->first + threads_begin(b->count, part, f->parts),
+                   b->first + threads_begin(b->count, part + 1, f->parts), NULL, none, limit);
 }
 
 static void step(struct effect *e, const vti_bodies *bodies)
@@ -214,7 +216,7 @@ static void step(struct effect *e, const vti_bodies *bodies)
     if (b->pair == NULL || b->watching == 0.0 || b->left-- > 0.0)
         return;
     const int were_near = b->are_near;
-    b->are_near = are_near(b, bodies);
+    b->are_near = bonds_of(b)->turn == NULL && threads_sum(following.parts, part_is_turned, &following) == 0;
     if (!(were_near && b->are_near))
         b->turned += (double)threads_sum(following.parts, follow_part, &following);
     b->left = b->every - 1.0;

@@ -3,6 +3,7 @@
 import os
 
 import numpy as np
+from matplotlib.ticker import LogFormatter
 
 from .. import style
 from .performance_rows import read_rows, short, size_text
@@ -91,6 +92,8 @@ def roofline(bench, rows, sizes, peak, path):
             axes.plot(flops / BYTES[what], flops / time_of(bench, what, n), look.marker, color=look.colour, markersize=5 + 2.5 * k,
                       fillstyle="none" if k else "full", label=NAMES[what].replace("`", "") if k == 0 else None)
     axes.set(title=f"One core, {bench.units}; marks grow with n", xlabel="operations per byte", ylabel="GFlop/s", xscale="log", yscale="log")
+    axes.yaxis.set_major_formatter("{x:g}")  # of two decades or less, so that others than powers of ten have numbers too
+    axes.yaxis.set_minor_formatter(LogFormatter(minor_thresholds=(2, 0.5)))
     axes.legend(loc="lower right", fontsize="small")
     style.save(figure, path)
 
