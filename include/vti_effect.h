@@ -136,7 +136,7 @@ VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const v
 
 /** Whether all of them may be used with the bodies: what every call with effects looks at first. VTI_E_NULL for an
  *  effect that does nothing, having neither apply nor flow nor rupture, as is made of what is NULL or given in part;
- *  VTI_E_NEEDS for one that needs what the bodies do not have; or what its check says. fault, which may be NULL, has in
+ *  VTI_E_COUNT for one of more than VTI_TERMS terms or books; VTI_E_NEEDS for one that needs what the bodies do not have; or what its check says. fault, which may be NULL, has in
  *  body the number of the effect, from 0, and in quantity what is missing; or what vti_bodies_check finds. */
 VTI_API int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *bodies, vti_fault *fault);
 

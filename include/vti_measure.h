@@ -18,8 +18,8 @@ VTI_API double vti_kinetic_translation(const vti_bodies *bodies);
 /** Sum of J|Omega|^2/2, or L.Omega/2 of bodies with moments; 0 if nothing turns, or bodies with moments have no
  *  attitude. */
 VTI_API double vti_kinetic_rotation(const vti_bodies *bodies);
-/** Kinetic energies and all energies of the effects; NaN if an effect has more than VTI_TERMS terms, or is
- *  none. */
+/** Kinetic energies and all energies of the effects; NaN if vti_effects_check refuses them, or one has a force and no
+ *  energy. */
 VTI_API double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
 /** Sum of m v. */
 VTI_API void vti_momentum(const vti_bodies *bodies, double p[3]);

@@ -29,7 +29,8 @@ extern "C" {
     ROW(VTI_E_ABI, -2,                                                                                                 \
         "the bodies were made with another version of vti.h than this library; recompile against its header")          \
     ROW(VTI_E_COUNT, -3,                                                                                               \
-        "a number of bodies, effects or values is negative, neither 1 nor n, or more than a view shows; correct it")   \
+        "a number of bodies, effects or values is negative, neither 1 nor n, or more than a view shows, or one of an " \
+        "effect's terms or books is more than VTI_TERMS; correct it")                                                  \
     ROW(VTI_E_VIEW, -4,                                                                                                \
         "a view is given in part, or the attitude both as alpha and as a quaternion; give all components or none")     \
     ROW(VTI_E_STRIDE, -5,                                                                                              \

@@ -71,6 +71,8 @@ VTI_INLINE int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *q
     *quantity = VTI_QUANTITY_NONE;
     if (e->apply == NULL && e->flow == NULL && e->rupture == NULL)
         return VTI_E_NULL;
+    if (e->terms < 0 || e->terms > VTI_TERMS || e->books < 0 || e->books > VTI_TERMS)
+        return VTI_E_COUNT;
     if (e->books > 0 && (e->booked == NULL || (e->by_body != NULL && e->of_body < e->books)))
         return VTI_E_NULL;
     if (b->count == 0) /* nothing is called, and arrays of no bodies may be absent */

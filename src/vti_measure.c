@@ -62,7 +62,7 @@ double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
     vti_sum_add(&sum, vti_kinetic_rotation(b));
     for (int64_t k = 0; k < n; ++k) {
         double energies[VTI_TERMS] = {0.0};
-        if (effects[k].terms > VTI_TERMS || (effects[k].energy == NULL && effects[k].apply != NULL))
+        if (effects[k].energy == NULL && effects[k].apply != NULL)
             return NAN;
         if (effects[k].energy != NULL && b->count > 0)
             effects[k].energy(effects[k].self, b, energies);

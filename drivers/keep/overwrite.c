@@ -46,22 +46,52 @@ static int is_text(const char *path, const struct mark *mark)
            (mark->holds == NULL || strstr(start, mark->holds) != NULL);
 }
 
+enum { START = 64, SIGNATURE = 8 };
+static const char hdf5[] = "\x89HDF\r\n\x1a\n";
+
+/** The file's first bytes, zeros behind its end, and how many there are; 0 if it cannot be read. */
+static size_t read_start(const char *path, char start[START])
+{
+    memset(start, 0, START);
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return 0;
+    const size_t size = fread(start, 1, START, file);
+    fclose(file);
+    return size;
+}
+
 /** Whether the regular file at path may be a file of ours that was half written when its program was killed. HDF5 writes
  *  the first bytes last, and so may the system. */
 static int is_half(const char *path, const struct mark *mark)
 {
-    static const char zeros[8], hdf5[] = "\x89HDF\r\n\x1a\n";
-    char start[64] = "";
-    FILE *file = fopen(path, "rb");
-    if (file == NULL)
+    static const char zeros[SIGNATURE];
+    char start[START];
+    const size_t size = read_start(path, start);
+    if (size == 0)
         return 0;
-    const size_t size = fread(start, 1, sizeof start, file);
-    fclose(file);
-    if (memcmp(start, zeros, sizeof zeros) == 0)
+    if (memcmp(start, zeros, SIGNATURE) == 0)
         return 1;
     if (mark->begins == NULL)
-        return memcmp(start, hdf5, sizeof zeros) == 0;
+        return memcmp(start, hdf5, SIGNATURE) == 0;
     return strncmp(start, mark->begins, size < strlen(mark->begins) ? size : strlen(mark->begins)) == 0;
+}
+
+/** Whether it is a file of HDF5 that HDF5 does not open. */
+static int is_held(const char *path)
+{
+    char start[START];
+    hid_t file = H5I_INVALID_HID;
+    if (read_start(path, start) < SIGNATURE || memcmp(start, hdf5, SIGNATURE) != 0)
+        return 0;
+    H5E_BEGIN_TRY
+    {
+        file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        if (file >= 0)
+            H5Fclose(file);
+    }
+    H5E_END_TRY;
+    return file < 0;
 }
 
 int mark_is_ours(const char *path, const struct mark *mark)
@@ -182,6 +212,11 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
                            "replace it with --force",
                            path, strerror(errno));
+    if (mark->begins == NULL && is_held(path))
+        return message_set(message,
+                           "%.600s: is there already and HDF5 does not open it: another program writes to it, or it is "
+                           "damaged; close it there, choose another place with -o, or replace it with --force",
+                           path);
     if (!mark_is_ours(path, mark))
         return message_set(message,
                            "%.600s: is there already and is no result of vti; choose another place with -o, or replace "

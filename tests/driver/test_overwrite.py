@@ -246,7 +246,8 @@ def planted(base):
 
 
 def protected(base):
-    """A result that is write-protected is kept, unless --force is given; so is one that would be taken away."""
+    """A result that is write-protected, or that another program writes to, is kept, unless --force is given; so is one that would be
+    taken away."""
     for name in ("o.csv", "o.dump"):
         folder = f"{base}/{name}"
         run(RUN, *SPIN, "-o", f"{folder}/o.h5")
@@ -258,6 +259,8 @@ def protected(base):
     os.chmod(f"{base}/o.dump/o.dump", 0o444)
     result = run(RUN, *SPIN, "--no-dump", "-o", f"{base}/o.dump/o.h5")
     check(result.returncode == 0 and "o.dump" in contents(f"{base}/o.dump"), "... --no-dump does not take it away")
+    with h5py.File(f"{base}/o.dump/o.h5", "a"):
+        refused("a result that another program writes to", f"{base}/o.dump", ["o.h5", "another program", "--force", "-o"], RUN, *SPIN, "-o", "o.h5")
 
 
 def rights(base):

@@ -250,14 +250,23 @@ static void no_loads(const void *self, const vti_bodies *b)
     (void)b;
 }
 
-/** An effect may have VTI_TERMS terms; with more there is no telling the energy, nor of a force without one. */
+/** An effect may have VTI_TERMS terms and books, and no more; of a force without an energy there is no telling it. */
 TEST(effects_of_many_terms)
 {
+    const vti_sum none[TERMS] = {{0.0, 0.0}};
     vti_effect effect = {.name = "many", .apply = no_loads, .energy = many_energies, .terms = TERMS};
     const vti_bodies b = bodies();
     assert_close(vti_energy(&effect, 1, &b), 37.25 + TERMS * (TERMS - 1) / 2, 0);
-    effect.terms = TERMS + 1;
-    assert_true(isnan(vti_energy(&effect, 1, &b)));
+    effect.books = TERMS;
+    effect.booked = none;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    for (int k = 0; k < 4; ++k) {
+        const int64_t wrong = k % 2 == 0 ? TERMS + 1 : -1;
+        vti_effect other = effect;
+        *(k < 2 ? &other.terms : &other.books) = wrong;
+        assert_int_equal(vti_effects_check(&other, 1, &b, NULL), VTI_E_COUNT);
+        assert_true(isnan(vti_energy(&other, 1, &b)));
+    }
     effect.terms = 0;
     effect.energy = NULL;
     assert_true(isnan(vti_energy(&effect, 1, &b)));
