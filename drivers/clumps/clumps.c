@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inertia.h"
 #include "kind.h"
 #include "table.h"
 
@@ -76,9 +77,9 @@ int clumps_are_spheres(const struct clumps *clumps, const struct scene *scene)
 
 void clumps_moments(const struct clump_template *of, const struct scene *scene, double mass, double moments[3])
 {
-    const double radius = 0.5 * scene->clumps.spheres.sphere[of->first][3];
+    const double diameter = scene->clumps.spheres.sphere[of->first][3];
     for (int k = 0; k < 3; ++k)
-        moments[k] = of->count == 1 ? 0.4 * mass * radius * radius : mass / of->solid.mass * of->solid.moments[k];
+        moments[k] = of->count == 1 ? inertia_of_sphere(mass, diameter) : mass / of->solid.mass * of->solid.moments[k];
 }
 
 /* ---- their spheres ----------------------------------------------------------------------------------------------- */
@@ -123,15 +124,6 @@ static double scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
-/** The smallest moment of inertia of a body. */
-static double least_moment(const vti_bodies *b, int64_t i)
-{
-    if (b->inertia.p != NULL)
-        return scalar(&b->inertia, i);
-    const int64_t at = i * b->moments.stride;
-    return fmin(fmin(b->moments.c[0][at], b->moments.c[1][at]), b->moments.c[2][at]);
-}
-
 /** Sphere s of the list is sphere k of the template; its offset is from the centre of mass, which of a single sphere is
  *  its own. */
 static void place_offset(const struct clump_template *of, const struct scene *scene, int64_t k, double offset[3])
@@ -157,7 +149,7 @@ static void fill(struct clumps *clumps, const struct scene *scene, const struct 
             place_offset(of, scene, k, offset + 3 * s);
             diameter[s] = scene->clumps.spheres.sphere[of->first + k][3];
             mass[s] = scalar(&bodies->mass, i);
-            inertia[s] = least_moment(bodies, i);
+            inertia[s] = inertia_least(bodies, i);
             moduli[s] = modulus->p != NULL ? scalar(modulus, i) : 0.0;
         }
     }

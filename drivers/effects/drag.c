@@ -5,6 +5,7 @@
  *     c = 3 pi viscosity D,     c_r = pi viscosity D^3,     k = pi/8 C_D density D^2 */
 #include <stdlib.h>
 
+#include "inertia.h"
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
@@ -61,8 +62,8 @@ static void defaults(void *settings)
     ((struct drag_settings *)settings)->coefficient = 0.44; /* Reynolds' numbers from 750 to 2e5 */
 }
 
-/** By what of the scene bodies are slowed, in translation and in rotation alone; NULL: by nothing. */
-static const char *slows_by(const struct drag_settings *drag)
+/** The key of the scene by which translation is slowed, the first there is; NULL: none. */
+static const char *slows_translation_by(const struct drag_settings *drag)
 {
     return drag->viscosity > 0.0   ? "drag.viscosity"
            : drag->density > 0.0   ? "drag.density"
@@ -76,7 +77,7 @@ static int check_flow(const struct scene_reader *reader, const struct scene *sce
 {
     static const char *const twice[][2] = {
         {"drag.linear", "drag.viscosity"}, {"drag.angular", "drag.viscosity"}, {"drag.quadratic", "drag.density"}};
-    const char *const flow = slows_by(drag);
+    const char *const flow = slows_translation_by(drag);
     const int has_diameter = scene->diameter != 0.0 || scene->clumps.given || scene->arrangement != SCENE_SINGLE;
     for (size_t k = 0; k < sizeof twice / sizeof twice[0]; ++k)
         if (scene_reader_has(reader, twice[k][0]) && scene_reader_has(reader, twice[k][1]))
@@ -96,7 +97,7 @@ static int check_flow(const struct scene_reader *reader, const struct scene *sce
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct drag_settings *drag = settings;
-    const char *const slows = slows_by(drag);
+    const char *const slows = slows_translation_by(drag);
     const int known = scene->arrangement != SCENE_IN_TABLE;
     if (slows == NULL && !scene_reader_has(reader, "drag.linear") && !scene_reader_has(reader, "drag.quadratic") &&
         !scene_reader_has(reader, "drag.angular") && !scene_reader_has(reader, "drag.coefficient"))
@@ -162,7 +163,7 @@ static int fill_each(struct drag_self *self, const struct drag_settings *setting
         return 0;
     if (model->diameter.p == NULL)
         return message_set(message, "%s: %s acts by diameters; give a column diameter, or bodies.diameter",
-                           model->scene->name, slows_by(settings));
+                           model->scene->name, slows_translation_by(settings));
     double *const c = self->memory = calloc((size_t)n, 3 * sizeof *c);
     if (c == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
@@ -220,15 +221,7 @@ static double slowing_of_way(const vti_drag *drag, const vti_bodies *b, int64_t 
 /** c_r/J of it, by its least moment of inertia. */
 static double slowing_of_turn(const vti_drag *drag, const vti_bodies *b, int64_t s, int64_t i)
 {
-    double least = INFINITY;
-    if (drag->angular.p == NULL)
-        return 0.0;
-    if (b->moments.c[0] != NULL)
-        for (int k = 0; k < 3; ++k)
-            least = fmin(least, b->moments.c[k][i * b->moments.stride]);
-    else
-        least = b->inertia.p[i * b->inertia.stride];
-    return coefficient_of(&drag->angular, s) / least;
+    return drag->angular.p != NULL ? coefficient_of(&drag->angular, s) / inertia_least(b, i) : 0.0;
 }
 
 /** The largest rate at which a motion that others push is slowed, of clumps by the sum over their spheres. Whatever else

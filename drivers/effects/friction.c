@@ -28,7 +28,7 @@ static const struct scene_field fields[] = {
      NULL},
     NUMBER_AT(sliding, SCENE_NOT_NEGATIVE, "coefficient mu", "Sliding friction is at most mu times the normal force."),
     NUMBER_AT(stiffness, SCENE_POSITIVE, "tangential stiffness", "Force per length of the sliding spring, a constant."),
-    NUMBER_AT(poisson, SCENE_NOT_NEGATIVE, "Poisson's ratio nu",
+    NUMBER_AT(poisson, SCENE_POISSON, "Poisson's ratio nu",
               "In place of stiffness: 2 (1 - nu)/(2 - nu) times the normal stiffness, which changes with the overlap "
               "(Mindlin); one number for all pairs and walls, whatever materials these are of."),
     NUMBER_AT(rolling, SCENE_NOT_NEGATIVE, "length mu_r",
@@ -74,9 +74,6 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     if ((linear || mindlin) && !scene_reader_has(reader, "friction.sliding"))
         return scene_reader_fail(reader, linear ? "friction.stiffness" : "friction.poisson",
                                  "has no limit, and would do nothing; give friction.sliding, or leave it out");
-    if (f->poisson > 0.5)
-        return scene_reader_fail(reader, "friction.poisson", "'%s' is above 0.5; no material has that",
-                                 scene_reader_value(reader, "friction.poisson"));
     return check_pair(reader, "friction.rolling", f->rolling, "friction.rolling_stiffness") != 0
                ? -1
                : check_pair(reader, "friction.twisting", f->twisting, "friction.twisting_stiffness");

@@ -115,8 +115,6 @@ static void write_machine(const void *what, FILE *file)
             cost->plan->repeats);
 }
 
-static const char *const names[COST_FILES] = {"cost.csv", "errors.csv", "prices.csv", "machine.txt"};
-
 const struct output cost_outputs[COST_FILES] = {
     {"cost.csv", {"scene,stepper,kind,h,steps,force_evals,seconds", NULL, NULL}},
     {"errors.csv", {"scene,stepper,kind,h,steps,force_evals,", NULL, NULL}},
@@ -127,8 +125,11 @@ int cost_files_write(const struct cost *cost, const char *folder, struct message
 {
     static folder_writer *const writers[COST_FILES] = {cost_csv_write, errors_csv_write, prices_csv_write,
                                                        write_machine};
+    const char *names[COST_FILES];
     int failed = 0;
-    for (int k = 0; k < COST_FILES && failed == 0; ++k)
-        failed = folder_write(folder, names[k], writers[k], cost, message);
+    for (int k = 0; k < COST_FILES; ++k) {
+        names[k] = cost_outputs[k].name;
+        failed = failed != 0 ? failed : folder_write(folder, names[k], writers[k], cost, message);
+    }
     return folder_finish(folder, names, COST_FILES, failed, message);
 }

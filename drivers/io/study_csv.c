@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "study_files.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "number.h"
@@ -24,7 +25,9 @@ static void write_judgement(const struct judgement *judgement, FILE *file)
 
 void study_csv_header(FILE *file)
 {
-    fputs("scene,stepper,h,t_end,steps,force_evals,e_error,q_error,h1_error,attitude_error,momentum_error", file);
+    fputs("scene,stepper,h,t_end,steps,force_evals", file);
+    for (int m = 0; m < OUTCOME_ERRORS; ++m)
+        fprintf(file, ",%s", outcome_errors[m]);
     for (int k = 0; k < VERDICT_NUMBERS; ++k)
         fprintf(file, ",%s", verdict_numbers[k].name);
 }
@@ -34,7 +37,7 @@ void study_csv_row(const char *scene, const struct trial *trial, int64_t force_e
 {
     fprintf(file, "%s,%s,%s,%s,%lld,%lld", scene, trial->stepper->name, NUMBER(trial->h), NUMBER(trial->t_end),
             (long long)trial->steps, (long long)force_evals);
-    for (int m = 0; m < STUDY_MEASURES + 1; ++m)
+    for (int m = 0; m < OUTCOME_ERRORS; ++m)
         fprintf(file, ",%s", NUMBER(error[m]));
     write_judgement(judgement, file);
 }
@@ -46,8 +49,7 @@ void study_csv_write(const void *what, FILE *file)
     fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct outcome *o = &study->outcomes[r];
-        const double error[] = {o->e_error, o->q_error, o->h1_error, o->attitude_error, o->momentum_error};
-        study_csv_row(study->plan->scene->name, &study->trials[r], o->force_evals, error, &o->judgement, file);
+        study_csv_row(study->plan->scene->name, &study->trials[r], o->force_evals, o->error, &o->judgement, file);
         fputc('\n', file);
     }
 }
@@ -60,7 +62,7 @@ void timing_csv_header(FILE *file)
 void timing_csv_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file)
 {
     fprintf(file, "%s,%s,%s,%.9g,%.6g,%d", scene, trial->stepper->name, NUMBER(trial->h), seconds,
-            1e9 * seconds / (double)trial->steps, rank);
+            trial->steps > 0 ? 1e9 * seconds / (double)trial->steps : NAN, rank);
 }
 
 void timing_csv_write(const void *what, FILE *file)

@@ -32,8 +32,8 @@ folder_writer study_csv_write;
 /** timing.csv of a struct study: seconds of every run with its measurements, and the rank that did it. */
 folder_writer timing_csv_write;
 
-/** Of both the first line and a row of one run, for files with more columns behind; error: as study_measures names
- *  them, then the momentum error. */
+/** Of both the first line and a row of one run, for files with more columns behind; error: as outcome_errors names
+ *  them. */
 void study_csv_header(FILE *file);
 void study_csv_row(const char *scene, const struct trial *trial, int64_t force_evals, const double error[],
                    const struct judgement *judgement, FILE *file);

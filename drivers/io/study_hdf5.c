@@ -61,12 +61,7 @@ static void write_runs(struct hdf5_sink *file, const struct study *study)
     static const struct hdf5_column of_trial[] = {{"h", offsetof(struct trial, h), 0, 0},
                                                   {"t_end", offsetof(struct trial, t_end), 0, 0},
                                                   {"steps", offsetof(struct trial, steps), 1, 0}};
-    static const struct hdf5_column of_outcome[] = {{"force_evals", offsetof(struct outcome, force_evals), 1, 0},
-                                                    {"e_error", offsetof(struct outcome, e_error), 0, 0},
-                                                    {"q_error", offsetof(struct outcome, q_error), 0, 0},
-                                                    {"h1_error", offsetof(struct outcome, h1_error), 0, 0},
-                                                    {"attitude_error", offsetof(struct outcome, attitude_error), 0, 0},
-                                                    {"momentum_error", offsetof(struct outcome, momentum_error), 0, 0}};
+    static const struct hdf5_column of_outcome[] = {{"force_evals", offsetof(struct outcome, force_evals), 1, 0}};
     struct hdf5_sink s = hdf5_group(file, "runs");
     const char **texts = calloc((size_t)(2 * study->runs), sizeof *texts);
     s.failed |= texts == NULL;
@@ -82,6 +77,11 @@ static void write_runs(struct hdf5_sink *file, const struct study *study)
         write_column(&s, &of_trial[k], study->trials, sizeof *study->trials, study->runs);
     for (size_t k = 0; k < COUNT(of_outcome); ++k)
         write_column(&s, &of_outcome[k], study->outcomes, sizeof *study->outcomes, study->runs);
+    for (int m = 0; m < OUTCOME_ERRORS; ++m) {
+        const struct hdf5_column column = {outcome_errors[m],
+                                           offsetof(struct outcome, error) + (size_t)m * sizeof(double), 0, 0};
+        write_column(&s, &column, study->outcomes, sizeof *study->outcomes, study->runs);
+    }
     write_verdicts(&s, study);
     free(texts);
     hdf5_close(file, &s);
@@ -101,7 +101,7 @@ static void write_orders(struct hdf5_sink *file, const struct study *study)
     const int64_t n = study->plan->steppers_count * STUDY_MEASURES;
     for (int64_t r = 0; r < n; ++r) {
         steppers[r] = study->plan->steppers[r / STUDY_MEASURES]->name;
-        measures[r] = study_measures[r % STUDY_MEASURES];
+        measures[r] = outcome_errors[r % STUDY_MEASURES];
     }
     write_texts(&s, "stepper", steppers, n);
     write_texts(&s, "measure", measures, n);

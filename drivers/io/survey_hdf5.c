@@ -46,7 +46,7 @@ struct mean_row {
     int64_t point, stepper;
     double h;
     int64_t runs, failed;
-    double value[2 * SURVEY_ERRORS]; /* mean and spread of each error */
+    double value[2 * OUTCOME_ERRORS]; /* mean and spread of each error */
 };
 
 struct mean_order_row {
@@ -56,7 +56,7 @@ struct mean_order_row {
 
 struct columns_of {
     struct hdf5_column column[COLUMNS_MOST];
-    char name[2 * SURVEY_ERRORS][NAME]; /* that are made here */
+    char name[2 * OUTCOME_ERRORS][NAME]; /* that are made here */
     int count;
 };
 
@@ -79,8 +79,8 @@ static struct columns_of run_columns(void)
     INNER(run_row, run, t_end, 0);
     INNER(run_row, run, steps, 1);
     INNER(run_row, run, force_evals, 1);
-    for (int m = 0; m < SURVEY_ERRORS; ++m)
-        add(&c, survey_errors[m], offsetof(struct run_row, run.error) + (size_t)m * sizeof(double), 0);
+    for (int m = 0; m < OUTCOME_ERRORS; ++m)
+        add(&c, outcome_errors[m], offsetof(struct run_row, run.error) + (size_t)m * sizeof(double), 0);
     INNER(run_row, run, failed, 1);
     for (int k = 0; k < VERDICT_NUMBERS; ++k)
         add(&c, verdict_numbers[k].name, offsetof(struct run_row, run.judgement) + verdict_numbers[k].offset,
@@ -126,8 +126,8 @@ static void mean_columns(struct columns_of *all)
     WHOLE(mean_row, runs);
     WHOLE(mean_row, failed);
     *all = c;
-    for (int m = 0; m < 2 * SURVEY_ERRORS; ++m) {
-        snprintf(all->name[m], NAME, "%s_%s", m % 2 == 0 ? "mean" : "spread", survey_errors[m / 2]);
+    for (int m = 0; m < 2 * OUTCOME_ERRORS; ++m) {
+        snprintf(all->name[m], NAME, "%s_%s", m % 2 == 0 ? "mean" : "spread", outcome_errors[m / 2]);
         add(all, all->name[m], offsetof(struct mean_row, value) + (size_t)m * sizeof(double), 0);
     }
 }
@@ -190,7 +190,7 @@ static void write_group(struct writer *w, const struct plan *plan)
         const struct ensemble *e = g->error[r];
         struct mean_row row = {g->first,   r / plan->h_count, plan->h[r % plan->h_count],
                                e[0].count, g->failed[r],      {0.0}};
-        for (int m = 0; m < SURVEY_ERRORS; ++m) {
+        for (int m = 0; m < OUTCOME_ERRORS; ++m) {
             row.value[2 * m] = ensemble_mean(&e[m]);
             row.value[2 * m + 1] = ensemble_spread(&e[m]);
         }
@@ -275,7 +275,7 @@ static const char *stepper_at(const void *plan, int64_t k)
 static const char *measure_at(const void *plan, int64_t k)
 {
     (void)plan;
-    return study_measures[k];
+    return outcome_errors[k];
 }
 
 struct value_row {

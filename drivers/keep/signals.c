@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _XOPEN_SOURCE 700 /* SIGXFSZ */
+#define _XOPEN_SOURCE 700 /* SIGXFSZ, clock_gettime */
 #include "signals.h"
 
 #include <signal.h>
@@ -8,7 +8,7 @@
 #include <time.h>
 
 static volatile sig_atomic_t seen = 0;
-static volatile time_t since;
+static volatile sig_atomic_t since; /* seconds of a clock that nobody sets */
 
 /** One that comes again after so many seconds is not to be waited for any longer. Launchers send the same one twice at
  *  once, to the process and to its group. */
@@ -16,10 +16,11 @@ enum { PATIENCE = 5 };
 
 static void note(int number)
 {
-    const time_t now = time(NULL);
+    struct timespec now = {0, 0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
     if (seen == 0)
-        since = now;
-    else if (now >= since + PATIENCE) {
+        since = (sig_atomic_t)now.tv_sec;
+    else if (now.tv_sec - since >= PATIENCE) {
         signal(number, SIG_DFL);
         raise(number); /* once this handler has returned */
     }

@@ -31,7 +31,7 @@ struct cell {
 
 /* ---- cells ------------------------------------------------------------------------------------------------------- */
 
-/** Cells of level 0 are as wide as two of the longest that touch need them, those of each level a fourth as wide as those
+/** Cells of level 0 are as wide as two of the longest that touch need them, those of each level half as wide as those
  *  of the level before. A body is of the last level whose cells are wide enough for two of its own radius, so that among
  *  many short bodies a long one does not put all of them into one cell. */
 static int64_t level_of(const struct cells *s, double radius, double skin)
@@ -47,7 +47,7 @@ static void set_widths(struct cells *s, double longest, double skin)
 {
     s->width[0] = (2.0 * longest + skin) * cell_margin;
     for (int level = 1; level < CELLS_LEVELS; ++level)
-        s->width[level] = 0.25 * s->width[level - 1];
+        s->width[level] = 0.5 * s->width[level - 1];
 }
 
 static void cell_of(const struct cells *s, const double x[3], int64_t level, int64_t q[3])
@@ -104,23 +104,34 @@ static void count_members(struct cells *s, double skin)
 }
 
 /** Whether cells have so many members, on the mean over bodies, that to look at all pairs of neighbouring cells takes
- *  longer than to look for each body among the cells of every level, 27 of each. For 4e4 bodies of diameters from 0.02 to
- *  1 the two take the same time at 60 to 100. */
+ *  longer than to look for each body among the wider cells too. For 2e4 bodies of two sizes or of many the two take the
+ *  same number of instructions at 9 to 12. */
 static int is_crowded(const struct cells *s)
 {
-    static const double crowd = 96.0;
+    static const double crowd = 11.0;
     double others = 0.0;
     for (int64_t c = 0; c < s->count; ++c)
         others += (double)s->cell[c].end * (double)s->cell[c].end;
     return others > crowd * (double)s->n;
 }
 
+/** How many there are down to the level of the shortest body. */
+static int64_t levels_for(struct cells *s, double skin)
+{
+    double least = INFINITY;
+    for (int64_t i = 0; i < s->n; ++i)
+        least = fmin(least, s->radius[i]);
+    s->levels = CELLS_LEVELS;
+    return 1 + level_of(s, least, skin);
+}
+
 static void fill_cells(struct cells *s, double skin)
 {
+    const int64_t levels = levels_for(s, skin);
     s->levels = 1;
     count_members(s, skin);
-    if (is_crowded(s)) {
-        s->levels = CELLS_LEVELS;
+    if (levels > 1 && is_crowded(s)) {
+        s->levels = levels;
         count_members(s, skin);
     }
     int64_t begin = 0;
@@ -213,15 +224,19 @@ static int search_around(const struct cells *s, double skin, const struct cell *
     return failed;
 }
 
-/** A body with those of a level of wider cells, around where it would be among them. */
+/** A body with those of a level of wider cells: with the cells that the longest of them would reach it from. */
 static int search_wider(const struct cells *s, double skin, const struct member *a, int64_t level, struct pairs *found)
 {
-    int64_t at[3], q[3];
-    cell_of(s, a->x, level, at);
-    for (q[0] = at[0] - 1; q[0] <= at[0] + 1; ++q[0])
-        for (q[1] = at[1] - 1; q[1] <= at[1] + 1; ++q[1]) {
+    const double reach = (a->radius + 0.5 * (s->width[level] + skin)) * cell_margin;
+    const double low[3] = {a->x[0] - reach, a->x[1] - reach, a->x[2] - reach},
+                 high[3] = {a->x[0] + reach, a->x[1] + reach, a->x[2] + reach};
+    int64_t begin[3], end[3], q[3];
+    cell_of(s, low, level, begin);
+    cell_of(s, high, level, end);
+    for (q[0] = begin[0]; q[0] <= end[0]; ++q[0])
+        for (q[1] = begin[1]; q[1] <= end[1]; ++q[1]) {
             const uint64_t hxy = hash(hash(0, q[0]), q[1]);
-            for (q[2] = at[2] - 1; q[2] <= at[2] + 1; ++q[2]) {
+            for (q[2] = begin[2]; q[2] <= end[2]; ++q[2]) {
                 const int64_t next = *slot_of(s, hash(hxy, q[2]), q) - 1;
                 if (next >= 0 && search_members(s, skin, a, s->cell[next].begin, s->cell[next].end, found) != 0)
                     return -1;

@@ -9,8 +9,8 @@
 
 #include "pairs.h"
 
-/** Of cells by their widths: the least is 4^-15 of the widest. */
-enum { CELLS_LEVELS = 16 };
+/** Of cells by their widths: the least is 2^-31 of the widest. */
+enum { CELLS_LEVELS = 32 };
 
 struct cells {
     int64_t n;      /* bodies */

@@ -68,6 +68,10 @@ enum options_end options_read(const struct options *options, int argc, char **ar
  *  line in *message. */
 int options_refuse_set(const struct option_list *sets, const char *key, const char *instead, struct message *message);
 
+/** Besides EXIT_SUCCESS and EXIT_FAILURE: the verdict is bad; it was told to stop, and --resume goes on (EX_TEMPFAIL of
+ *  sysexits.h). */
+enum { EXIT_BAD = 3, EXIT_RESUME = 75 };
+
 /** At the end of a program, after OPTIONS_TOLD too: whether all that it said has got there. Returns 0, or -1 with one
  *  line in *message. */
 int output_end(struct message *message);

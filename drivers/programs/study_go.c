@@ -19,11 +19,45 @@ static int count_ranks(void)
     return ranks;
 }
 
+/* ---- from plan to files ------------------------------------------------------------------------------------------ */
+
+/** What the three kinds of studies differ in; *result is theirs. Those that return an int return 0, or not with *message. */
+struct course {
+    void (*say_plan)(const void *plan);
+    int (*run)(const void *plan, const struct study_watch *watch, const struct store *store, void *result,
+               struct message *message);
+    int (*write)(void *result, const char *folder, struct message *message); /* and says it */
+    int (*refused)(const void *result); /* whether what has failed would fail again; NULL: no */
+};
+
+enum { NOT_BEGUN = WATCH_ASKED - 1 };
+
+/** Returns on all ranks 0, or when one line has been said WATCH_ASKED, -1, or NOT_BEGUN, when there is no result. */
+static int go_through(const struct course *course, const struct study_work *work, const struct study_place *place,
+                      int rank, void *result)
+{
+    struct message message = {""}, problem = {""};
+    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
+    if (study_tasks_open(work, place, rank) != 0)
+        return NOT_BEGUN;
+    const struct store store = study_tasks_store();
+    if (rank == 0)
+        course->say_plan(work->plan);
+    int failed = course->run(work->plan, &watch, rank == 0 ? &store : NULL, result, &message);
+    progress_clear();
+    if (failed == 0 && rank == 0 &&
+        (study_tasks_check(place, &problem) != 0 || course->write(result, place->folder, &problem) != 0))
+        failed = study_tasks_not_written(&problem, &message);
+    const int done = failed == 0 || (course->refused != NULL && course->refused(result));
+    return study_tasks_end(failed, done, rank, &message);
+}
+
 /* ---- convergence ------------------------------------------------------------------------------------------------ */
 
 /** The first line: what will be done. */
-static void say_plan(const struct plan *plan)
+static void say_study_plan(const void *of)
 {
+    const struct plan *plan = of;
     const int ranks = count_ranks();
     printf("%s to t = %s: ", plan->scene->name, NUMBER(plan->t_end));
     for (int64_t k = 0; k < plan->steppers_count; ++k)
@@ -84,26 +118,33 @@ static int some_bad(const struct study *study, int rank)
     return bad;
 }
 
+static int run_study(const void *plan, const struct study_watch *watch, const struct store *store, void *study,
+                     struct message *message)
+{
+    return study_run(plan, MPI_COMM_WORLD, watch, store, study, message);
+}
+
+static int write_study(void *study, const char *folder, struct message *message)
+{
+    return study_files_write(study, folder, message);
+}
+
+/** A run that is refused would be refused again. */
+static int is_refused(const void *study)
+{
+    return ((const struct study *)study)->refused;
+}
+
 int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
+    static const struct course course = {say_study_plan, run_study, write_study, is_refused};
     struct study study;
-    struct message message = {""}, problem = {""};
     const struct study_work work = {study_journal,          "runs",        plan->steppers_count * plan->h_count,
                                     sizeof(struct outcome), study_outputs, STUDY_FILES,
                                     study_identify,         plan};
-    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
-    if (study_tasks_open(&work, place, rank) != 0)
+    int failed = go_through(&course, &work, place, rank, &study);
+    if (failed == NOT_BEGUN)
         return -1;
-    const struct store store = study_tasks_store();
-    if (rank == 0)
-        say_plan(plan);
-    int failed = study_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &study, &message);
-    progress_clear();
-    if (failed == 0 && rank == 0 &&
-        (study_tasks_check(place, &problem) != 0 || study_files_write(&study, place->folder, &problem) != 0))
-        failed = study_tasks_not_written(&problem, &message);
-    /* a run that is refused would be refused again */
-    failed = study_tasks_end(failed, failed == 0 || study.refused, rank, &message);
     if (failed == 0 && rank == 0)
         say_study(&study, place->folder);
     if (failed == 0)
@@ -114,8 +155,9 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
 
 /* ---- surveys ----------------------------------------------------------------------------------------------------- */
 
-static void say_survey_plan(const struct survey_plan *plan)
+static void say_survey_plan(const void *of)
 {
+    const struct survey_plan *plan = of;
     const int ranks = count_ranks();
     for (int k = 0; k < plan->scenes_count; ++k)
         printf("%s%s", k > 0 ? ", " : "", plan->first[k].name);
@@ -147,36 +189,45 @@ static int say_survey(const struct survey *survey, const struct survey_counts *c
     return 0;
 }
 
+/** With what is counted while its files are written. */
+struct counted_survey {
+    struct survey survey;
+    struct survey_counts counts;
+};
+
+static int run_survey(const void *plan, const struct study_watch *watch, const struct store *store, void *counted,
+                      struct message *message)
+{
+    return survey_run(plan, MPI_COMM_WORLD, watch, store, &((struct counted_survey *)counted)->survey, message);
+}
+
+static int write_survey(void *counted, const char *folder, struct message *message)
+{
+    struct counted_survey *c = counted;
+    return survey_files_write(&c->survey, folder, &c->counts, message) != 0
+               ? -1
+               : say_survey(&c->survey, &c->counts, folder, message);
+}
+
 int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank)
 {
-    struct survey survey;
-    struct survey_counts counts = {{0}, 0, 0};
-    struct message message = {""}, problem = {""};
+    static const struct course course = {say_survey_plan, run_survey, write_survey, NULL};
+    struct counted_survey counted = {.counts = {{0}, 0, 0}};
     const struct study_work work = {study_journal, "points",    survey_points(plan), (size_t)survey_bytes(plan),
                                     study_outputs, STUDY_FILES, survey_identify,     plan};
-    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
-    if (study_tasks_open(&work, place, rank) != 0)
+    const int failed = go_through(&course, &work, place, rank, &counted);
+    int bad = counted.counts.verdict[VERDICT_BAD] > 0 || counted.counts.failed > 0;
+    if (failed == NOT_BEGUN)
         return -1;
-    const struct store store = study_tasks_store();
-    if (rank == 0)
-        say_survey_plan(plan);
-    int failed = survey_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &survey, &message);
-    progress_clear();
-    if (failed == 0 && rank == 0 &&
-        (study_tasks_check(place, &problem) != 0 ||
-         survey_files_write(&survey, place->folder, &counts, &problem) != 0 ||
-         say_survey(&survey, &counts, place->folder, &problem) != 0))
-        failed = study_tasks_not_written(&problem, &message);
-    failed = study_tasks_end(failed, failed == 0, rank, &message);
-    int bad = counts.verdict[VERDICT_BAD] > 0 || counts.failed > 0;
     MPI_Bcast(&bad, 1, MPI_INT, 0, MPI_COMM_WORLD);
     return failed == 0 ? bad : failed;
 }
 
 /* ---- cost -------------------------------------------------------------------------------------------------------- */
 
-static void say_cost_plan(const struct cost_plan *plan)
+static void say_cost_plan(const void *of)
 {
+    const struct cost_plan *plan = of;
     const int ranks = count_ranks();
     printf("what accuracy costs: ");
     for (int64_t k = 0; k < plan->cases_count; ++k)
@@ -193,10 +244,21 @@ static void say_cost(const struct cost *cost, const char *folder)
            cost->seconds, folder);
 }
 
+static int run_cost(const void *plan, const struct study_watch *watch, const struct store *store, void *cost,
+                    struct message *message)
+{
+    return cost_run(plan, MPI_COMM_WORLD, watch, store, cost, message);
+}
+
+static int write_cost(void *cost, const char *folder, struct message *message)
+{
+    return cost_files_write(cost, folder, message);
+}
+
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
 {
+    static const struct course course = {say_cost_plan, run_cost, write_cost, NULL};
     static struct cost cost;
-    struct message message = {""}, problem = {""};
     const struct study_work work = {"cost.journal",
                                     "ladders",
                                     plan->cases_count * plan->methods_count,
@@ -205,18 +267,9 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
                                     COST_FILES,
                                     cost_identify,
                                     plan};
-    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
-    if (study_tasks_open(&work, place, rank) != 0)
+    const int failed = go_through(&course, &work, place, rank, &cost);
+    if (failed == NOT_BEGUN)
         return -1;
-    const struct store store = study_tasks_store();
-    if (rank == 0)
-        say_cost_plan(plan);
-    int failed = cost_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &cost, &message);
-    progress_clear();
-    if (failed == 0 && rank == 0 &&
-        (study_tasks_check(place, &problem) != 0 || cost_files_write(&cost, place->folder, &problem) != 0))
-        failed = study_tasks_not_written(&problem, &message);
-    failed = study_tasks_end(failed, failed == 0, rank, &message);
     if (failed == 0 && rank == 0)
         say_cost(&cost, place->folder);
     cost_destroy(&cost);

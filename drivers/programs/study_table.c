@@ -96,9 +96,9 @@ void study_table_write(const struct study *study, FILE *file)
         const struct outcome *o = &study->outcomes[r];
         fprintf(file, "%-*s ", width, study->trials[r].stepper->name);
         study_print_h(study->trials[r].h, file);
-        fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps, number_plain(o->e_error),
-                number_plain(o->q_error), number_plain(o->h1_error), number_plain(o->attitude_error),
-                number_plain(o->momentum_error));
+        fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps,
+                number_plain(o->error[E_ERROR]), number_plain(o->error[Q_ERROR]), number_plain(o->error[H1_ERROR]),
+                number_plain(o->error[ATTITUDE_ERROR]), number_plain(o->error[MOMENTUM_ERROR]));
     }
     write_verdicts(study, file);
     fprintf(file, "\n%-*s  %18s  %18s  %18s  %18s\n", width, "fitted order", "E-error", "q-error", "H1-error",

@@ -154,26 +154,35 @@ struct study_watch study_watch_begin(void)
     return watch;
 }
 
-static int say_stopped(struct message *message)
+static void say_stopped(struct message *message)
 {
-    if (tasks_commit(&tasks, message) != 0)
-        return -1;
     if (tasks.kept == 0)
-        return message_set(message, "stopped before any %s were done; the same command with --resume starts again",
-                           now->results);
-    return message_set(message, "stopped; %lld of %lld %s are kept in %.300s: go on with --resume",
-                       (long long)tasks.kept, (long long)now->count, now->results, tasks.keep.path);
+        message_set(message, "stopped before any %s were done; the same command with --resume starts again",
+                    now->results);
+    else
+        message_set(message, "stopped; %lld of %lld %s are kept in %.300s: go on with --resume", (long long)tasks.kept,
+                    (long long)now->count, now->results, tasks.keep.path);
+}
+
+/** Keeps what is done, on rank 0. Returns 0, or -1 if that cannot be: then *message says so, too. */
+static int keep_results(int failed, struct message *message)
+{
+    struct message problem;
+    if (tasks_commit(&tasks, &problem) != 0) {
+        const struct message cause = *message;
+        return message_set(message, "%.500s%s%.500s", cause.text, cause.text[0] != '\0' ? "; and " : "", problem.text);
+    }
+    if (failed == WATCH_ASKED)
+        say_stopped(message);
+    return 0;
 }
 
 int study_tasks_end(int failed, int done, int rank, struct message *message)
 {
-    struct message ignored;
-    if (failed == WATCH_ASKED && rank == 0)
-        say_stopped(message);
-    else if (rank == 0 && !done)
-        tasks_commit(&tasks, &ignored);
+    int lost = rank == 0 && (failed == WATCH_ASKED || !done) && keep_results(failed, message) != 0;
+    MPI_Bcast(&lost, 1, MPI_INT, 0, MPI_COMM_WORLD);
     if (rank == 0)
         tasks_end(&tasks, done);
-    const int agreed = study_agree(failed, rank, message);
-    return failed == WATCH_ASKED ? failed : agreed;
+    const int agreed = study_agree(lost ? -1 : failed, rank, message);
+    return failed == WATCH_ASKED && !lost ? failed : agreed;
 }

@@ -161,15 +161,17 @@ void progress_show_what(const char *what, int64_t done, int64_t all, double seco
     char bar[WIDTH + 1];
     static const char *last = NULL;
     const int same = last != NULL && strcmp(what, last) == 0;
-    if (terminal() == NULL && all > 0)
-        log_share(what, (double)done / (double)all, seconds);
-    if (terminal() == NULL || all <= 0 || (shown >= 0.0 && same && seconds >= shown && seconds - shown < 0.1))
+    if (all <= 0)
+        return;
+    const double share = fmin((double)done / (double)all, 1.0);
+    if (terminal() == NULL)
+        log_share(what, share, seconds);
+    if (terminal() == NULL || (shown >= 0.0 && same && seconds >= shown && seconds - shown < 0.1))
         return;
     if (shown < 0.0)
         let_pass();
     last = what;
     shown = seconds;
-    const double share = (double)done / (double)all;
     const int filled = (int)(share * WIDTH);
     memset(bar, '.', WIDTH);
     memset(bar, '#', (size_t)filled);

@@ -37,7 +37,7 @@ static const struct option_row rows[] = {
      "changes how bodies turn)"},
     {"--budget", "SECONDS", OPTION_NUMBER, &budget, 0, 0, "60 or 1e3",
      "how long pilots may take (default: 0.3 of the run that is advised on, as long as that with contacts or walls; "
-     "half a second or so at least)"},
+     "half a second is always allowed, some seconds with clumps or friction)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY,
      "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, predicted_force_evals, source, "

@@ -11,8 +11,6 @@
 #include "terminal.h"
 #include "travel.h"
 
-enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
-
 static struct option_list sets;
 static const char *fields, *list;
 static struct run_request request = {.sets = sets.text, .checkpoint_seconds = 60.0, .dump = 1};
@@ -47,7 +45,8 @@ static const struct option_row rows[] = {
     {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
      "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
      "srkn6, srkn11, srkn14 and an4 to an10-fine"},
-    {"--no-dump", NULL, OPTION_OFF, &request.dump, OPTION_ANY, "no OUT.dump, the largest of the files"},
+    {"--no-dump", NULL, OPTION_OFF, &request.dump, OPTION_ANY,
+     "no OUT.dump, the largest of the files; one that an earlier run has left under that name is removed"},
     {"--xdmf", NULL, OPTION_ON, &request.xdmf, OPTION_ANY,
      "OUT.xdmf for more than 2000 frames too: 1-8 kB for each; ParaView reads OUT.h5 itself"},
     {"--force", NULL, OPTION_ON, &request.force, OPTION_ANY,

@@ -15,8 +15,6 @@
 #include "study_tasks.h"
 #include "table_hdf5.h"
 
-enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
-
 /* What vti-plot makes of study.h5, of a study and of a sweep. */
 static const char *const study_pictures[] = {"convergence.png", "invariants.png", NULL};
 static const char *const survey_pictures[] = {"ensemble.png", NULL};

@@ -232,17 +232,19 @@ static const double first_step = 1e-4;
 static const double most_steps = 1e10;
 
 /** No step is longer than evaluations may be apart, so that none of the 13 within it passes by a touch. */
-static int bound_steps(struct equations *eq)
+static int bound_steps(struct equations *eq, struct message *message)
 {
-    double longest;
-    struct message ignored;
-    if (model_longest_gap(eq->model, &longest, &ignored) != 0)
+    if (model_longest_gap(eq->model, &eq->longest, message) != 0)
         return -1;
-    eq->longest = longest;
-    if (!isfinite(longest))
+    if (!isfinite(eq->longest))
         return 0;
-    gsl_odeiv2_driver_reset_hstart(eq->driver, fmin(first_step, longest));
-    return gsl_odeiv2_driver_set_hmax(eq->driver, longest) == GSL_SUCCESS ? 0 : -1;
+    if (gsl_odeiv2_driver_reset_hstart(eq->driver, fmin(first_step, eq->longest)) == GSL_SUCCESS &&
+        gsl_odeiv2_driver_set_hmax(eq->driver, eq->longest) == GSL_SUCCESS)
+        return 0;
+    return message_set(message,
+                       "%s: no reference solution can be had: what touches asks for steps of at most %.3g; check "
+                       "diameters, masses and stiffnesses",
+                       eq->model->scene->name, eq->longest);
 }
 
 /** 0 if it cannot be found. */
@@ -266,7 +268,8 @@ static void find_units(struct equations *eq)
     control_in_units(eq->driver->c, eq->unit);
 }
 
-int equations_create(struct equations *eq, struct model *model, double tolerance, const struct watch *watch)
+int equations_create(struct equations *eq, struct model *model, double tolerance, const struct watch *watch,
+                     struct message *message)
 {
     memset(eq, 0, sizeof *eq);
     gsl_set_error_handler_off();
@@ -282,8 +285,11 @@ int equations_create(struct equations *eq, struct model *model, double tolerance
     eq->floor.noise = eq->noise;
     eq->driver = gsl_odeiv2_driver_alloc_y_new(&eq->system, gsl_odeiv2_step_rk8pd, first_step, tolerance, tolerance);
     gsl_odeiv2_control *control = control_new(tolerance);
-    if (eq->loads != NULL && eq->unit != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL &&
-        bound_steps(eq) == 0) {
+    const int fits =
+        eq->loads != NULL && eq->unit != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL;
+    if (!fits)
+        message_set(message, "%s: out of memory for the reference solution; use fewer bodies", model->scene->name);
+    if (fits && bound_steps(eq, message) == 0) {
         gsl_odeiv2_control_free(eq->driver->c);
         eq->driver->c = control;
         find_units(eq);

@@ -37,8 +37,9 @@ struct equations {
 };
 
 /** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is; watch is asked
- *  on the way. Returns 0, or -1 if there is no memory. */
-int equations_create(struct equations *equations, struct model *model, double tolerance, const struct watch *watch);
+ *  on the way. Returns 0, or -1 with one line in *message. */
+int equations_create(struct equations *equations, struct model *model, double tolerance, const struct watch *watch,
+                     struct message *message);
 void equations_destroy(struct equations *equations);
 
 /** The sum of the squares of what rounding has changed in velocities and spins at steps that it is a bound of, above

@@ -119,18 +119,12 @@ static int compare(struct sampled *s, struct equations *eq, double *state, const
     return 0;
 }
 
-static int no_memory(const struct sampled *s, struct message *message)
-{
-    return message_set(message, "%s: out of memory for the reference solution; use fewer bodies",
-                       s->model->scene->name);
-}
-
 int sampled_solve(struct sampled *s, const struct sampled_other *other, const struct watch *watch,
                   struct message *message)
 {
     struct equations eq;
-    if (equations_create(&eq, s->model, step_tolerance, watch) != 0)
-        return no_memory(s, message);
+    if (equations_create(&eq, s->model, step_tolerance, watch, message) != 0)
+        return -1;
     const int failed = solve(s, &eq, other, watch, message);
     equations_destroy(&eq);
     return failed;
@@ -142,9 +136,9 @@ int sampled_compare(struct sampled *s, const struct sampled_other *other, const 
     struct equations eq;
     int failed = -1;
     double *state = calloc((size_t)s->width, sizeof *state);
-    if (state == NULL || equations_create(&eq, s->model, looser * step_tolerance, watch) != 0)
-        no_memory(s, message);
-    else {
+    if (state == NULL)
+        message_set(message, "%s: out of memory for the reference solution; use fewer bodies", s->model->scene->name);
+    else if (equations_create(&eq, s->model, looser * step_tolerance, watch, message) == 0) {
         failed = compare(s, &eq, state, other, watch, message);
         equations_destroy(&eq);
     }

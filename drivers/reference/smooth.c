@@ -93,20 +93,14 @@ static int64_t end_of(const struct smooth *s, int64_t window)
 
 /* ---- integration ------------------------------------------------------------------------------------------------- */
 
-static int no_memory(const struct smooth *s, struct message *message)
-{
-    return message_set(message, "%s: out of memory for the reference solution; give less of it with --memory",
-                       s->model->scene->name);
-}
-
 /** Goes to the start of a window, with an integrator that knows nothing of what came before, or the panels would
  *  depend on that. */
 static int enter(struct smooth *s, int64_t window, const struct watch *watch, struct message *message)
 {
     const double *start = start_of(s, window);
     equations_destroy(&s->equations);
-    if (equations_create(&s->equations, s->model, step_tolerance, watch) != 0)
-        return no_memory(s, message);
+    if (equations_create(&s->equations, s->model, step_tolerance, watch, message) != 0)
+        return -1;
     s->t = start[0];
     memcpy(s->state, start + SMOOTH_START, (size_t)equations_width(s->model) * sizeof *s->state);
     s->panels.first = window * s->panels.held;
@@ -228,7 +222,8 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
         const double windows = ceil((double)count / fit), held = ceil((double)count / windows),
                      twice = 2.0 * (double)count;
         if (smooth_resize(s, count, (int64_t)held, t_end) != 0)
-            return no_memory(s, message);
+            return message_set(message, "%s: out of memory for the reference solution; give less of it with --memory",
+                               s->model->scene->name);
         /* where the passes after this one are made whatever it finds, one bad panel is enough */
         const double enough = 2.0 * twice <= fit ? interpolation_tolerance : INFINITY;
         const int failed = one_pass(s, enough, watch, message);
@@ -245,9 +240,9 @@ int smooth_looser(struct model *model, double t_end, double *other, const struct
     const int64_t width = equations_width(model);
     struct equations eq;
     double t = 0.0;
-    int failed = equations_create(&eq, model, looser * step_tolerance, watch);
+    int failed = equations_create(&eq, model, looser * step_tolerance, watch, message);
     if (failed != 0)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return -1;
     equations_start(model, other);
     for (int64_t k = 0; k < SMOOTH_SAMPLES && failed == 0; ++k) {
         double *const state = other + k * width;

@@ -247,8 +247,9 @@ static int open_checkpoint(struct run *run, struct message *message)
         found = take_checkpoint(run, message);
     else if (run->request->resume)
         found = run->restored = open_restart(run, path, message);
-    if (found < 0 && !run->journal.keep.holds && run->journal.keep.there)
-        found = run->restored = 0; /* a run that came to no checkpoint has begun to replace whatever is there */
+    /* a run that came to no checkpoint has begun to replace whatever is there; but what is taken in part is no start */
+    if (found < 0 && !run->journal.keep.holds && run->journal.keep.there && c->step == 0)
+        found = run->restored = 0;
     if (found < 0)
         return -1;
     run->from = c->step;

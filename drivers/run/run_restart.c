@@ -96,12 +96,17 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
 
 /* ---- rows and frames --------------------------------------------------------------------------------------------- */
 
+static int no_memory(const struct record *record, struct message *message)
+{
+    return message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
+}
+
 static int fill_rows(hid_t file, const struct record *record, int64_t rows, struct message *message)
 {
     enum { BLOCK = 4096, NAME = 64 };
     const struct columns *columns = &record->columns;
     double(*values)[BLOCK] = malloc(sizeof *values * (size_t)columns->count);
-    int failed = values == NULL;
+    int failed = values == NULL ? no_memory(record, message) : 0;
     for (int64_t first = 0; !failed && first < rows; first += BLOCK) {
         const int64_t count = rows - first < BLOCK ? rows - first : BLOCK;
         for (int c = 0; !failed && c < columns->count; ++c) {
@@ -148,7 +153,7 @@ static int read_frame(hid_t file, const struct record *record, int64_t k, double
 static int fill_frames(hid_t file, const struct record *record, int64_t frames, struct message *message)
 {
     double *frame = malloc(sizeof *frame * (size_t)record->frames.doubles);
-    int failed = frame == NULL;
+    int failed = frame == NULL ? no_memory(record, message) : 0;
     for (int64_t k = 0; !failed && k < frames; ++k)
         failed = read_frame(file, record, k, frame) != 0 ||
                  journal_add(record->journal, &record->journal->frames, frame, message) != 0;

@@ -27,13 +27,14 @@ enum scene_kind {
     SCENE_NAME,      /* letters, digits, _ and -; goes to a char[64] */
     SCENE_STEPPER    /* name of a stepper; goes to a const vti_stepper * */
 };
+enum { SCENE_KINDS = SCENE_STEPPER + 1 }; /* the last */
 
 enum scene_need {
     SCENE_MAY, /* can be left out */
     SCENE_MUST /* must be given wherever the section that it is in is given */
 };
 
-enum scene_range { SCENE_ANY, SCENE_POSITIVE, SCENE_NOT_NEGATIVE, SCENE_NOT_ZERO };
+enum scene_range { SCENE_ANY, SCENE_POSITIVE, SCENE_NOT_NEGATIVE, SCENE_NOT_ZERO, SCENE_POISSON };
 
 #define SCENE_NOWHERE ((size_t)-1)
 

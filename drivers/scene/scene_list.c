@@ -8,22 +8,21 @@
 #include "scene_field.h"
 #include "scene_stepper.h"
 
-/** In the order of enum scene_kind. */
-static const char *const kinds[] = {"section",
-                                    "number",
-                                    "three numbers",
-                                    "whole number",
-                                    "three whole numbers",
-                                    "list of rows of four numbers",
-                                    "list of rows of seven numbers",
-                                    "list of rows of four numbers",
-                                    "list of rows of three numbers",
-                                    "list of numbers",
-                                    "yes or no",
-                                    "word",
-                                    "path",
-                                    "name",
-                                    "stepper"};
+static const char *const kinds[SCENE_KINDS] = {[SCENE_SECTION] = "section",
+                                               [SCENE_NUMBER] = "number",
+                                               [SCENE_VECTOR] = "three numbers",
+                                               [SCENE_COUNT] = "whole number",
+                                               [SCENE_COUNTS] = "three whole numbers",
+                                               [SCENE_PLANES] = "list of rows of four numbers",
+                                               [SCENE_CYLINDERS] = "list of rows of seven numbers",
+                                               [SCENE_SPHERES] = "list of rows of four numbers",
+                                               [SCENE_VECTORS] = "list of rows of three numbers",
+                                               [SCENE_NUMBERS] = "list of numbers",
+                                               [SCENE_YES_NO] = "yes or no",
+                                               [SCENE_WORD] = "word",
+                                               [SCENE_PATH] = "path",
+                                               [SCENE_NAME] = "name",
+                                               [SCENE_STEPPER] = "stepper"};
 
 static void list_steppers(FILE *file)
 {
@@ -39,7 +38,7 @@ static void list_effects(FILE *file)
 
 static void list_keys(FILE *file)
 {
-    static const char *const ranges[] = {"", ", above 0", ", not below 0", ", not 0"};
+    static const char *const ranges[] = {"", ", above 0", ", not below 0", ", not 0", ", from 0 to 0.5"};
     for (int k = 0; scene_field_at(k) != NULL; ++k) {
         const struct scene_field *f = scene_field_at(k);
         char words[128] = "";

@@ -119,7 +119,9 @@ static int check_range(const struct scene_reader *reader, const struct scene_fie
     if (field->range == SCENE_POSITIVE && !(number > 0.0))
         return scene_reader_fail_item(reader, field, k, part, "'%s' is not positive; the %s must be > 0", shown,
                                       field->about);
-    if (field->range == SCENE_NOT_NEGATIVE && !(number >= 0.0))
+    if (field->range == SCENE_POISSON && number > 0.5)
+        return scene_reader_fail_item(reader, field, k, part, "'%s' is above 0.5; no material has that", shown);
+    if ((field->range == SCENE_NOT_NEGATIVE || field->range == SCENE_POISSON) && !(number >= 0.0))
         return scene_reader_fail_item(reader, field, k, part, "'%s' is negative; the %s must be >= 0", shown,
                                       field->about);
     return 0;

@@ -45,7 +45,7 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
     return n;
 }
 
-static void take_angular(const vti_bodies *bodies, double values[3])
+void model_angular_momentum(const vti_bodies *bodies, double values[3])
 {
     const double origin[3] = {0.0, 0.0, 0.0};
     vti_angular_momentum(bodies, origin, values);
@@ -70,7 +70,7 @@ void model_invariant_values(const struct model *model, const vti_bodies *bodies,
 {
     const int64_t conserved = model_momenta(model);
     int64_t n = take_conserved(conserved >> LINEAR, vti_momentum, bodies, values);
-    n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
+    n += take_conserved(conserved >> ANGULAR, model_angular_momentum, bodies, values + n);
     n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
     for (int64_t e = 0; e < model->instances_count; ++e) {
         const struct effect_invariants *own = own_of(model, e, n);

@@ -179,6 +179,8 @@ struct invariant {
     int is_momentum;   /* counts in the momentum error */
 };
 
+/** About the origin. */
+void model_angular_momentum(const vti_bodies *bodies, double values[3]);
 /** The scene's invariants, in a fixed order: components of linear and of angular momentum that every effect keeps; of
  *  those angular ones that some effect breaks, the component of the spin, sum J Omega, if every effect keeps that.
  *  Returns how many (at most MODEL_INVARIANTS). */

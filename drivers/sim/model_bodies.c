@@ -3,6 +3,7 @@
 
 #include "arrange.h"
 #include "hertz.h"
+#include "inertia.h"
 #include "model_parts.h"
 #include "random.h"
 
@@ -142,12 +143,6 @@ static double ball(double density, double diameter)
     return density * (3.14159265358979323846 / 6.0) * diameter * diameter * diameter;
 }
 
-/** J of a solid sphere. */
-static double solid_sphere(double mass, double diameter)
-{
-    return 0.4 * mass * (0.5 * diameter) * (0.5 * diameter);
-}
-
 /** The template of body i, which has clumps. */
 static const struct clump_template *template_of(const struct model *model, const struct tables *tables, int64_t i)
 {
@@ -175,7 +170,7 @@ static vti_scalars derived(const struct model *model, const struct tables *table
         if (model->scene->clumps.given)
             clumps_moments(template_of(model, tables, i), model->scene, m, moments);
         else
-            moments[0] = solid_sphere(m, model->diameter.p[i * model->diameter.stride]);
+            moments[0] = inertia_of_sphere(m, model->diameter.p[i * model->diameter.stride]);
         inertia[i] = moments[0];
     }
     return vti_scalars_array(inertia);
@@ -189,7 +184,7 @@ static vti_scalars place_properties(struct model *model, const struct tables *ta
     vti_bodies *b = &model->bodies;
     model->sphere = s->diameter != 0.0 ? s->diameter : arrange_touching(s);
     model->mass = s->density != 0.0 ? ball(s->density, model->sphere) : s->mass;
-    model->inertia = s->inertia != 0.0 ? s->inertia : solid_sphere(model->mass, model->sphere);
+    model->inertia = s->inertia != 0.0 ? s->inertia : inertia_of_sphere(model->mass, model->sphere);
     const vti_scalars mass =
         is_weighed(s, t) ? weighed(model, tables, block) : property(block, b->count, t, BODY_MASS, &model->mass);
     model->diameter = property(block, b->count, t, BODY_DIAMETER, &model->sphere);

@@ -62,7 +62,7 @@ static size_t at_least_three(int64_t n)
 struct order fit_order(const double *h, const double *error, const double *floor, int64_t n)
 {
     struct order result = {NAN, NAN, NAN, NAN, NAN, 0};
-    double *x = calloc((size_t)(2 * n + 1), sizeof *x), *y = x + n;
+    double *const x = calloc((size_t)(2 * n + 1), sizeof *x), *const y = x != NULL ? x + n : NULL;
     int64_t usable = 0;
     for (int64_t i = 0; x != NULL && i < n; ++i)
         if (isfinite(error[i]) && error[i] > floor[i]) {

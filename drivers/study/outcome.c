@@ -6,6 +6,12 @@
 
 #include "norms.h"
 
+const char *const outcome_errors[OUTCOME_ERRORS] = {[E_ERROR] = "e_error",
+                                                    [Q_ERROR] = "q_error",
+                                                    [H1_ERROR] = "h1_error",
+                                                    [ATTITUDE_ERROR] = "attitude_error",
+                                                    [MOMENTUM_ERROR] = "momentum_error"};
+
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /** Everything that is summed up along a run. */
@@ -84,11 +90,11 @@ static void measures_end(struct measures *m)
     struct outcome *o = m->outcome;
     const double norm_squared = reference_norm_squared(m->reference, m->t_end);
     const double energy_norm = m->norms.energy_unit * sqrt(m->t_end);
-    o->e_error = sqrt(vti_integral_value(&m->norms.energy_squared)) / energy_norm;
-    o->q_error = sampled_relative(fabs(vti_integral_value(&m->norms.norm_squared) - norm_squared), norm_squared);
-    o->h1_error = sampled_relative(vti_integral_value(&m->norms.error_squared), norm_squared);
-    o->attitude_error = m->norms.attitude_error;
-    o->momentum_error = m->norms.momentum_error;
+    o->error[E_ERROR] = sqrt(vti_integral_value(&m->norms.energy_squared)) / energy_norm;
+    o->error[Q_ERROR] = sampled_relative(fabs(vti_integral_value(&m->norms.norm_squared) - norm_squared), norm_squared);
+    o->error[H1_ERROR] = sampled_relative(vti_integral_value(&m->norms.error_squared), norm_squared);
+    o->error[ATTITUDE_ERROR] = m->norms.attitude_error;
+    o->error[MOMENTUM_ERROR] = m->norms.momentum_error;
     o->judgement = verdict_judge(&m->verdict, 0, &o->verdict);
 }
 

@@ -10,14 +10,22 @@
 enum { OUTCOME_SAMPLES = 513, OUTCOME_COLUMNS = 2 + MODEL_INVARIANTS };
 
 /** What a run measured. A flat record, so that it can travel and be stored as bytes. */
+/** The errors of a run; orders are fitted to all but the last. */
+enum {
+    E_ERROR,        /* ||E_h - E_0||_{H0}/||E_0||_{H0} (absolute if E_0 = 0) */
+    Q_ERROR,        /* the paper's | ||q_h||^2 - ||q||^2 |^(1/2)/||q|| */
+    H1_ERROR,       /* ||q_h - q||_{H1}/||q||_{H1} */
+    ATTITUDE_ERROR, /* largest |log(R_h R^T)| at the end, radians */
+    MOMENTUM_ERROR, /* largest deviation of a conserved momentum from its initial value */
+    OUTCOME_ERRORS
+};
+/** "e_error" and so on, as files have them. */
+extern const char *const outcome_errors[OUTCOME_ERRORS];
+
 struct outcome {
     int64_t failed; /* 0, or 1 and the reason in message */
     int64_t steps, force_evals;
-    double e_error;             /* ||E_h - E_0||_{H0}/||E_0||_{H0} (absolute if E_0 = 0) */
-    double q_error;             /* the paper's | ||q_h||^2 - ||q||^2 |^(1/2)/||q|| */
-    double h1_error;            /* ||q_h - q||_{H1}/||q||_{H1} */
-    double attitude_error;      /* largest |log(R_h R^T)| at the end, radians */
-    double momentum_error;      /* largest deviation of a conserved momentum from its initial value */
+    double error[OUTCOME_ERRORS];
     double seconds;             /* of the run with its measurements: not a result */
     struct judgement judgement; /* on the rows of series; at every step would cost as much as the run */
     struct message verdict;     /* its line */

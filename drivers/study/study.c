@@ -10,15 +10,6 @@
 #include "number.h"
 #include "queue.h"
 
-const char *const study_measures[STUDY_MEASURES] = {"e_error", "q_error", "h1_error", "attitude_error"};
-
-double study_measure(const struct outcome *outcome, int measure)
-{
-    const double values[STUDY_MEASURES] = {outcome->e_error, outcome->q_error, outcome->h1_error,
-                                           outcome->attitude_error};
-    return values[measure];
-}
-
 enum { ORIGIN = 64 };
 
 /* ---- the plan ---------------------------------------------------------------------------------------------------- */
@@ -183,13 +174,12 @@ static void longest_first(const struct study *study, int64_t *order)
 double study_floor(int measure, int64_t steps, double t_end, double uncertainty, double energy_error)
 {
     const double rounding = 16.0 * DBL_EPSILON * sqrt((double)steps) * fmax(1.0, t_end);
-    const int is_energy = strcmp(study_measures[measure], "e_error") == 0;
-    if (!is_energy && uncertainty > REFERENCE_PARTED)
+    if (measure != E_ERROR && uncertainty > REFERENCE_PARTED)
         return INFINITY;
     const double known = fmax(rounding, 10.0 * uncertainty);
-    if (is_energy)
+    if (measure == E_ERROR)
         return fmax(rounding, 10.0 * energy_error);
-    return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(known) : known;
+    return measure == Q_ERROR ? sqrt(known) : known;
 }
 
 double study_share(double energy_error, double energy0)
@@ -211,7 +201,7 @@ static void fit_orders(struct study *study)
             double error[LADDER_MOST], floor[LADDER_MOST];
             for (int64_t k = 0; k < plan->h_count; ++k) {
                 const int64_t run = s * plan->h_count + k;
-                error[k] = study_measure(&study->outcomes[run], m);
+                error[k] = study->outcomes[run].error[m];
                 floor[k] = study_floor(m, study->trials[run].steps, study->trials[run].t_end,
                                        study->reference_uncertainty, energy_error);
             }

@@ -8,7 +8,7 @@
 #include "store.h"
 #include "outcome.h"
 
-enum { STUDY_STEPPERS = 64, STUDY_MEASURES = 4 };
+enum { STUDY_STEPPERS = 64 };
 
 /** What is asked for. */
 struct plan {
@@ -22,9 +22,8 @@ struct plan {
     double memory; /* bytes that the reference may take on every rank (reference.h) */
 };
 
-/** Errors that orders are fitted to: e_error, q_error, h1_error, attitude_error. */
-extern const char *const study_measures[STUDY_MEASURES];
-double study_measure(const struct outcome *outcome, int measure);
+/** Errors that orders are fitted to, the first of a run's. */
+enum { STUDY_MEASURES = MOMENTUM_ERROR };
 
 /** Below this a measure is rounding, or no more than the reference is known to, uncertainty, or keeps its energy to,
  *  energy_error. */

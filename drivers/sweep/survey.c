@@ -8,8 +8,6 @@
 
 #include "queue.h"
 
-const char *const survey_errors[SURVEY_ERRORS] = {"e_error", "q_error", "h1_error", "attitude_error", "momentum_error"};
-
 /* ---- points ------------------------------------------------------------------------------------------------------ */
 
 static int64_t runs_of(const struct plan *plan)
@@ -73,7 +71,7 @@ static void fail_run(struct survey_run *run, const char *reason)
     run->failed = 1;
     run->judgement = none;
     snprintf(run->reason, sizeof run->reason, "%.*s", SURVEY_REASON - 1, reason);
-    for (int m = 0; m < SURVEY_ERRORS; ++m)
+    for (int m = 0; m < OUTCOME_ERRORS; ++m)
         run->error[m] = NAN;
 }
 
@@ -92,9 +90,7 @@ static void take_run(const struct study *study, int64_t r, struct survey_run *ru
     run->force_evals = outcome->force_evals;
     run->seconds = outcome->seconds;
     run->judgement = outcome->judgement;
-    for (int m = 0; m < STUDY_MEASURES; ++m)
-        run->error[m] = study_measure(outcome, m);
-    run->error[STUDY_MEASURES] = outcome->momentum_error;
+    memcpy(run->error, outcome->error, sizeof run->error);
     if (outcome->failed)
         fail_run(run, outcome->message.text);
 }

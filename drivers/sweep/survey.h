@@ -12,10 +12,7 @@
 #include "sweep.h"
 #include "table.h"
 
-enum { SURVEY_SCENES = 32, SURVEY_REASON = 240, SURVEY_ERRORS = STUDY_MEASURES + 1 };
-
-/** What runs are measured by: study_measures, then "momentum_error". */
-extern const char *const survey_errors[SURVEY_ERRORS];
+enum { SURVEY_SCENES = 32, SURVEY_REASON = 240 };
 
 /** A table when it was first read. */
 struct survey_table {
@@ -48,7 +45,7 @@ struct survey_plan {
 struct survey_run {
     int64_t failed, steps, force_evals;
     double t_end;
-    double error[SURVEY_ERRORS]; /* NaN of a failed run */
+    double error[OUTCOME_ERRORS]; /* NaN of a failed run */
     double seconds;
     struct judgement judgement;
     char reason[SURVEY_REASON]; /* of a failed run: its own, its reference's or its scene's */
@@ -126,7 +123,7 @@ struct order survey_order(const struct plan *plan, const struct survey_point *po
 struct survey_group {
     int64_t number, first; /* from 0; its first point */
     int64_t failed[STUDY_STEPPERS * LADDER_MOST];
-    struct ensemble error[STUDY_STEPPERS * LADDER_MOST][SURVEY_ERRORS]; /* of each run of a point */
+    struct ensemble error[STUDY_STEPPERS * LADDER_MOST][OUTCOME_ERRORS]; /* of each run of a point */
     struct ensemble order[STUDY_STEPPERS][STUDY_MEASURES];
 };
 

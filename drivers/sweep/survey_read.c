@@ -49,7 +49,7 @@ int survey_group_add(const struct survey_plan *plan, struct survey_group *group,
     }
     for (int64_t r = 0; r < each->steppers_count * each->h_count; ++r) {
         group->failed[r] += point->run[r].failed;
-        for (int m = 0; m < SURVEY_ERRORS; ++m)
+        for (int m = 0; m < OUTCOME_ERRORS; ++m)
             ensemble_add(&group->error[r][m], point->run[r].error[m]);
     }
     for (int64_t s = 0; s < each->steppers_count; ++s)

@@ -9,12 +9,6 @@
 
 /* ---- quantities of the bodies, behind the energies -------------------------------------------------------------- */
 
-static void take_angular(const vti_bodies *bodies, double values[3])
-{
-    const double origin[3] = {0.0, 0.0, 0.0};
-    vti_angular_momentum(bodies, origin, values);
-}
-
 /** Of which bodies there are such columns. */
 enum whose { OF_ALL, OF_TRANSLATING, OF_TURNING };
 
@@ -26,7 +20,7 @@ static const struct quantity {
 } quantities[] = {
     {{"momentum_x", "momentum_y", "momentum_z"}, OF_TRANSLATING, vti_momentum},
     {{"spin_x", "spin_y", "spin_z"}, OF_TURNING, vti_spin},
-    {{"angular_x", "angular_y", "angular_z"}, OF_ALL, take_angular},
+    {{"angular_x", "angular_y", "angular_z"}, OF_ALL, model_angular_momentum},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 

@@ -92,7 +92,7 @@ static inline vti_bodies reference_of(const struct scene *scene, double t_end, d
     *state = calloc((size_t)equations_width(&model), sizeof **state);
     assert_non_null(*state);
     equations_start(&model, *state);
-    assert_int_equal(equations_create(&equations, &model, 1e-14, NULL), 0);
+    assert_int_equal(equations_create(&equations, &model, 1e-14, NULL, &message), 0);
     if (equations_advance(&equations, 0.0, &t, t_end, *state, &message) != 0)
         fail_msg("%s", message.text);
     const vti_bodies bodies = equations_bodies(&model, *state);

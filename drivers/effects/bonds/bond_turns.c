@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "far.h"
+#include "inertia.h"
 #include "threads.h"
 
 static double stiffness(const vti_bonds *bonds, int64_t k)
@@ -92,20 +93,11 @@ static int is_marked(const double *pair)
     return pair[0] == 0.0 && pair[1] == 0.0 && pair[2] == 0.0 && pair[3] == 0.0;
 }
 
-/** The least moment of inertia of body i; infinite where there is none. */
-static double least_moment(const vti_bodies *b, int64_t i)
-{
-    const int64_t at = i * b->moments.stride;
-    if (b->moments.c[0] != NULL)
-        return fmin(fmin(b->moments.c[0][at], b->moments.c[1][at]), b->moments.c[2][at]);
-    return b->inertia.p != NULL ? b->inertia.p[i * b->inertia.stride] : INFINITY;
-}
-
 static double least_inertia(const vti_bodies *b)
 {
     double least = INFINITY;
     for (int64_t i = b->first; i < b->first + b->count; ++i)
-        least = fmin(least, least_moment(b, i));
+        least = fmin(least, inertia_least(b, i));
     return least;
 }
 

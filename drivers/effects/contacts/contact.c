@@ -31,8 +31,8 @@ static const struct scene_field fields[] = {
      "follows from its radii, 2/3 E/(1 - nu^2) sqrt(R) D^(5/2), 1/R = 1/R_i + 1/R_j. Bodies of several materials have "
      "columns young and poisson in their table, and contact gives none: 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j.",
      NULL},
-    {"contact.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct contact_settings, poisson),
-     "Poisson's ratio nu", "Of the same material, at most 0.5.", NULL},
+    {"contact.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_POISSON, offsetof(struct contact_settings, poisson),
+     "Poisson's ratio nu", "Of the same material.", NULL},
     {"contact.bonded", SCENE_YES_NO, SCENE_MAY, SCENE_ANY, offsetof(struct contact_settings, bonded),
      "contact inside bonds", "yes: bodies of a common bond touch too; no (default): they do not.", NULL},
 };
@@ -40,6 +40,7 @@ static const struct scene_field fields[] = {
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const int young = scene_reader_has(reader, "contact.young"), poisson = scene_reader_has(reader, "contact.poisson");
+    (void)settings;
     if (scene_reader_has(reader, "contact.stiffness")) {
         if (young || poisson)
             return scene_reader_fail(reader, young ? "contact.young" : "contact.poisson",
@@ -51,9 +52,6 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     if (!young || !poisson)
         return scene_reader_fail(reader, "contact",
                                  "no stiffness; give contact.stiffness, or contact.young and contact.poisson");
-    if (((const struct contact_settings *)settings)->poisson > 0.5)
-        return scene_reader_fail(reader, "contact.poisson", "'%s' is above 0.5; no material has that",
-                                 scene_reader_value(reader, "contact.poisson"));
     return 0;
 }
 

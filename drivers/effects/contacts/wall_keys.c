@@ -15,8 +15,8 @@ const struct scene_field wall_fields[WALL_FIELDS] = {
      "materials, 4/3 E* R^3, 1/E* = (1 - nu_i^2)/E_i + (1 - nu^2)/E; that of the bodies is contact.young, or columns "
      "young and poisson of their table.",
      NULL},
-    {"wall.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct wall_settings, poisson),
-     "Poisson's ratio nu", "Of the same material, at most 0.5.", NULL},
+    {"wall.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_POISSON, offsetof(struct wall_settings, poisson),
+     "Poisson's ratio nu", "Of the same material.", NULL},
     {"wall.planes", SCENE_PLANES, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, planes),
      "planes nx x + ny y + nz z = d", "Rows nx, ny, nz, d; bodies stay where n.x > d; n need not be of unit length.",
      NULL},
@@ -61,9 +61,6 @@ int wall_check(const struct scene_reader *reader, const struct scene *scene, con
     if (young != poisson)
         return scene_reader_fail(reader, young ? "wall.young" : "wall.poisson", "needs wall.%s; give both",
                                  young ? "poisson" : "young");
-    if (wall->poisson > 0.5)
-        return scene_reader_fail(reader, "wall.poisson", "'%s' is above 0.5; no material has that",
-                                 scene_reader_value(reader, "wall.poisson"));
     if (!young && !one && !each)
         return scene_reader_fail(reader, "wall.stiffness", "missing; add 'stiffness:', the stiffness K^pw");
     if (one && each)
