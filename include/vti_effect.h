@@ -172,14 +172,15 @@ VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects,
  * probes as in vti_step.h.
  *
  * The flows last as long as the kicks. That of the first kick comes before it, that of the last one after it; of a kick
- * between two drifts one half comes before and one half after. All go through the effects forwards before a drift, and
+ * between two drifts one half comes before and one half after. The one kick of VTI-3 is a last and a first half: between
+ * them come the flows of both. All go through the effects forwards before a drift, and
  * backwards after it, so that drag, which stands first, is outermost. Before these, where some effect that flows does not
  * settle, velocities below 2^-500 are set to 0, as carry does with spring loads and drag with what it slows: bodies at
  * rest then cost no arithmetic on subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call
  * vti_effects_flow and vti_effects_carry in these places. */
 
 /** vti_step_begin with the effects' flows and carries: stage 0. On VTI_E_TOO_LARGE the flow before the kick has been
- *  done, and nothing else; on all other failures nothing. VTI_E_FRAME if the method is of the body's frame and an effect
+ *  done, and nothing else (of a method of one kick that too); on all other failures nothing. VTI_E_FRAME if the method is of the body's frame and an effect
  *  carries, or flows, reads x and breaks the sum of J Omega, as dashpots do that turn bodies. */
 VTI_API int vti_effects_begin(const vti_stepper *method, double h, const vti_effect *effects, int64_t n,
                               const vti_bodies *bodies, vti_fault *fault);

@@ -132,6 +132,30 @@ TEST(a_fall)
     assert_below(ledger[0], 64 * EPS); /* Verlet is exact in a uniform field, and what flows take is booked */
 }
 
+/** What falls on moves F/c times (z/2) coth(z/2) on, z = c h/m, by Verlet and by VTI-3 alike. */
+TEST(the_steady_fall)
+{
+    static const char *const names[] = {"vti1", "vti2", "exact", "vti3", "vti3-leapfrog"};
+    const double linear = 1.5, still[3] = {0, 0, 0}, m = 2;
+    const vti_gravity gravity = {{0, 0, -1}};
+    const vti_drag drag = {.linear = vti_scalars_one(&linear), .lost = lost};
+    const vti_effect effects[] = {vti_drag_effect(&drag), vti_gravity_effect(&gravity)};
+    for (int k = 0; k < 5; ++k)
+        for (double z = 1.0 / 16; z < 40; z *= 4) {
+            const double h = z * m / linear;
+            double before = 0;
+            body(m, 1, still, still);
+            assert_int_equal(vti_apply(effects, 2, &b), VTI_OK);
+            for (int step = 0; step < 2000; ++step) {
+                before = c.x[0][2];
+                assert_int_equal(vti_effects_begin(vti_stepper_find(names[k]), h, effects, 2, &b, NULL), VTI_OK);
+                assert_int_equal(vti_apply(effects, 2, &b), VTI_OK);
+                assert_int_equal(vti_effects_finish(vti_stepper_find(names[k]), h, effects, 2, &b), VTI_OK);
+            }
+            assert_close((before - c.x[0][2]) / h / (m / linear), z / 2 / tanh(z / 2), 1e-11 * z);
+        }
+}
+
 /** Coefficients and velocities whose products leave the range of numbers stop a body, and book what it had. */
 TEST(beyond_all_measure)
 {
@@ -375,5 +399,6 @@ TEST(what_it_needs_and_refuses)
 }
 
 RUN_TESTS(cmocka_unit_test(closed_forms), cmocka_unit_test(a_medium_that_moves), cmocka_unit_test(a_fall),
-          cmocka_unit_test(beyond_all_measure), cmocka_unit_test(residuals), cmocka_unit_test(rest),
-          cmocka_unit_test(three_moments), cmocka_unit_test(many), cmocka_unit_test(what_it_needs_and_refuses))
+          cmocka_unit_test(the_steady_fall), cmocka_unit_test(beyond_all_measure), cmocka_unit_test(residuals),
+          cmocka_unit_test(rest), cmocka_unit_test(three_moments), cmocka_unit_test(many),
+          cmocka_unit_test(what_it_needs_and_refuses))
