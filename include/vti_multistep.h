@@ -12,8 +12,8 @@ extern "C" {
 #endif
 
 /** AN(K, c): Adams' and Stoermer's formulas on the accelerations, which are vectors of space, with the exact turning
- *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1, or K where u is not 0; the turn is of order 6
- *  itself, which shows below errors of 1e-11 or so where its axis turns. Linear momentum is kept to rounding, angular
+ *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1, or K where u is not 0, down to rounding: the turn
+ *  is of order 8 itself, with a factor so small that nothing shows it. Linear momentum is kept to rounding, angular
  *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces, and with
  *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *

@@ -76,50 +76,71 @@ VTI_INLINE void adams_move(int64_t depth, double h, const double *n, int64_t apa
     quad_into_view(v, 0, i, speed);
 }
 
-/** The rotation vector of a turn under w(s), 0 <= s <= 1 of h (Magnus, order 6; Blanes, Casas and Ros 2000): of its
- *  values O1, O2, O3 at Gauss' nodes A1 = h O2, A2 = (r/3) h (O3 - O1), A3 = (10/3) h (O3 - 2 O2 + O1), r = sqrt(15),
- *  C1 = A1 x A2, C2 = -(1/60) A1 x (2 A3 + C1), and theta = A1 + A3/12 + (1/240)(-20 A1 - A3 + C1) x (A2 + C2). */
-VTI_INLINE void adams_magnus(double h, part o[3][PARTS], part theta[PARTS])
+/** a + t b */
+VTI_INLINE void quad_with(const part a[PARTS], double t, const part b[PARTS], part r[PARTS])
 {
-    const double r3 = 1.2909944487358056; /* sqrt(15)/3 */
-    part a1[PARTS], a2[PARTS], a3[PARTS], c1[PARTS], c2[PARTS], p[PARTS], q[PARTS];
-    for (int k = 0; k < PARTS; ++k) {
-        a1[k] = h * o[1][k];
-        a2[k] = r3 * h * (o[2][k] - o[0][k]);
-        a3[k] = 10.0 / 3.0 * h * (o[2][k] - 2.0 * o[1][k] + o[0][k]);
-    }
-    quad_cross(a1, a2, c1);
     for (int k = 0; k < PARTS; ++k)
-        p[k] = 2.0 * a3[k] + c1[k];
-    quad_cross(a1, p, c2);
-    for (int k = 0; k < PARTS; ++k) {
-        p[k] = c1[k] - 20.0 * a1[k] - a3[k];
-        q[k] = a2[k] - 1.0 / 60.0 * c2[k];
-    }
-    quad_cross(p, q, theta);
+        r[k] = a[k] + t * b[k];
+}
+
+/** The rotation vector of a turn under h w(s) = A1 + A2 z + A3 z^2 + A4 z^3, z = s - 1/2, 0 <= s <= 1 of h (Magnus, order
+ *  8; Blanes, Casas and Ros 2000):
+ *      S1 = -(1/28) (A1 + A3/28) x (A2 + 3 A4/28),          R1 = (1/3) A1 x (S1 - A3/14)
+ *      S2 = (A1 + A3/28 + S1) x (A2 + 3 A4/28 + R1),        R2 = (A1 + 5 S1/4) x (2 A3 + S2 + (1/2) A2 x S1)
+ *      S3 = (A1 + A3/12 - 7 S1/3 - S2/6) x (63 R1 + R2 - 9 A2 - 9 A4/4)
+ *      theta = A1 + A3/12 - 7 S2/120 + S3/360 */
+VTI_INLINE void adams_magnus(part a[4][PARTS], part theta[PARTS])
+{
+    part s1[PARTS], s2[PARTS], s3[PARTS], r1[PARTS], r2[PARTS], early[PARTS], late[PARTS], p[PARTS], q[PARTS];
+    quad_with(a[0], 1.0 / 28.0, a[2], early);
+    quad_with(a[1], 3.0 / 28.0, a[3], late);
+    quad_cross(early, late, p);
     for (int k = 0; k < PARTS; ++k)
-        theta[k] = a1[k] + 1.0 / 12.0 * a3[k] + 1.0 / 240.0 * theta[k];
+        s1[k] = -1.0 / 28.0 * p[k];
+    quad_with(s1, -1.0 / 14.0, a[2], p);
+    quad_cross(a[0], p, q);
+    for (int k = 0; k < PARTS; ++k) {
+        r1[k] = 1.0 / 3.0 * q[k];
+        early[k] += s1[k];
+        late[k] += r1[k];
+    }
+    quad_cross(early, late, s2);
+    quad_cross(a[1], s1, p);
+    for (int k = 0; k < PARTS; ++k)
+        q[k] = 2.0 * a[2][k] + s2[k] + 0.5 * p[k];
+    quad_with(a[0], 1.25, s1, p);
+    quad_cross(p, q, r2);
+    for (int k = 0; k < PARTS; ++k) {
+        theta[k] = a[0][k] + 1.0 / 12.0 * a[2][k];
+        p[k] = theta[k] - 7.0 / 3.0 * s1[k] - 1.0 / 6.0 * s2[k];
+        q[k] = 63.0 * r1[k] + r2[k] - 9.0 * a[1][k] - 2.25 * a[3][k];
+    }
+    quad_cross(p, q, s3);
+    for (int k = 0; k < PARTS; ++k)
+        theta[k] += 1.0 / 360.0 * s3[k] - 7.0 / 120.0 * s2[k];
 }
 
 /** w_p = w + h sum g_j N^j b, and by which vector a body turns meanwhile. */
 VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, int64_t apart, const vti_view *omega, int64_t i,
                            double *turn)
 {
-    part b[PARTS], g[PARTS], w[PARTS], o[3][PARTS], theta[PARTS];
+    part b[PARTS], g[PARTS], w[PARTS], a[4][PARTS], theta[PARTS];
     quad_zero(g);
-    for (int s = 0; s < 3; ++s)
-        quad_zero(o[s]);
+    for (int m = 0; m < 4; ++m)
+        quad_zero(a[m]);
     for (int64_t j = 0; j < depth; ++j) {
         quad_load(n + 6 * j + 2, apart, b);
         quad_add(adams_g[j], b, g);
-        for (int s = 0; s < 3; ++s)
-            quad_add(adams_node[s][j], b, o[s]);
+        for (int m = 0; m < 4; ++m)
+            quad_add(adams_middle[m][j], b, a[m]);
     }
     quad_of_view(omega, 1, i, w);
-    for (int s = 0; s < 3; ++s)
+    for (int k = 0; k < PARTS; ++k)
+        a[0][k] = h * (w[k] + h * a[0][k]);
+    for (int m = 1; m < 4; ++m)
         for (int k = 0; k < PARTS; ++k)
-            o[s][k] = w[k] + h * o[s][k];
-    adams_magnus(h, o, theta);
+            a[m][k] *= h * h;
+    adams_magnus(a, theta);
     quad_add(h, g, w);
     quad_into_view(omega, 1, i, w);
     quad_store(turn, 4, theta);

@@ -154,41 +154,31 @@ static double march_error(const vti_multistep *method, const void *all, int i, i
     return angle * angle + vti_dot(p.omega, p.omega);
 }
 
-/** Half of them swing in a plane. */
-static void make_problems(struct problem problem[2][STARTS])
+static void make_problems(struct problem problem[STARTS])
 {
-    static const double e1[3] = {1, 0, 0};
     rng g = rng_seed(29);
-    for (int flat = 0; flat <= 1; ++flat)
-        for (int i = 0; i < STARTS; ++i) {
-            rig *p = &problem[flat][i].start;
-            *p = rig_random(&g, RIG_QUAT);
-            if (flat) {
-                rig_set_attitude(p, quat_turn(e1, (long double)uniform(&g, -2.5, 2.5)));
-                p->pendulum.rho0[0] = p->omega[1] = p->omega[2] = 0;
-            }
-            problem[flat][i].exact = *p;
-            reference(&problem[flat][i].exact);
-        }
+    for (int i = 0; i < STARTS; ++i) {
+        problem[i].start = problem[i].exact = rig_random(&g, RIG_QUAT);
+        reference(&problem[i].exact);
+    }
 }
 
-/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0. Magnus' vector, by which it turns, is of order 6, with a small
- *  factor: K = 10 shows that, but for pendulums that swing in a plane, of which it is exact. */
+/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0, down to rounding: Magnus' vector, by which it
+ *  turns, is of order 8, with so small a factor that K = 10 does not show it. */
 TEST(multistep_methods_show_theirs)
 {
     static const struct {
         double c, u;
-        int depth, coarsest, flat, order;
-    } rows[] = {{0.75, 0, 1, 1600, 0, 2},    {0.75, 0, 2, 320, 0, 3},     {0.75, 0, 3, 640, 0, 4},
-                {0.75, 0, 4, 640, 0, 5},     {0.75, 0, 5, 400, 0, 6},     {0.75, 0, 6, 300, 0, 7},
-                {0.75, 0, 7, 200, 0, 8},     {-0.75, 0, 8, 200, 0, 9},    {-0.75, 0, 9, 110, 0, 10},
-                {-0.3, -0.07, 9, 130, 0, 9}, {0.8, 0, 10, 140, 1, 11},    {-0.75, 0, 10, 190, 0, 6},
-                {0.75, -0.1, 6, 300, 0, 6},  {0, -3.0 / 80, 4, 400, 0, 4}};
-    struct problem problem[2][STARTS];
+        int depth, coarsest, order;
+    } rows[] = {{0.75, 0, 1, 1600, 2},    {0.75, 0, 2, 320, 3},     {0.75, 0, 3, 640, 4},  {0.75, 0, 4, 640, 5},
+                {0.75, 0, 5, 400, 6},     {0.75, 0, 6, 300, 7},     {0.75, 0, 7, 200, 8},  {-0.75, 0, 8, 200, 9},
+                {-0.75, 0, 9, 110, 10},   {-0.3, -0.07, 9, 130, 9}, {0.8, 0, 10, 110, 11}, {0.75, -0.1, 6, 300, 6},
+                {0, -3.0 / 80, 4, 400, 4}};
+    struct problem problem[STARTS];
     make_problems(problem);
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; ++r) {
         const vti_multistep method = {"own", rows[r].depth, rows[r].c, rows[r].u, 0.0, ""};
-        assert_multistep_order(&method, rows[r].coarsest, rows[r].order, STARTS, march_error, problem[rows[r].flat]);
+        assert_multistep_order(&method, rows[r].coarsest, rows[r].order, STARTS, march_error, problem);
     }
 }
 

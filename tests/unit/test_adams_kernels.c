@@ -61,32 +61,56 @@ static double sum(int64_t depth, const double *coefficient, double past[DEPTH][6
     return s;
 }
 
+/** r = sum of t_k a_k, which is nothing where a_k is NULL. */
+static void mix(double r[3], double t0, const double *a0, double t1, const double *a1, double t2, const double *a2)
+{
+    for (int c = 0; c < 3; ++c)
+        r[c] = t0 * a0[c] + t1 * a1[c] + (a2 != NULL ? t2 * a2[c] : 0.0);
+}
+
+static void magnus(double a[4][3], double theta[3])
+{
+    double early[3], late[3], s1[3], r1[3], s2[3], r2[3], s3[3], p[3], q[3];
+    mix(early, 1.0, a[0], 1.0 / 28.0, a[2], 0.0, NULL);
+    mix(late, 1.0, a[1], 3.0 / 28.0, a[3], 0.0, NULL);
+    vti_cross(early, late, s1);
+    for (int c = 0; c < 3; ++c)
+        s1[c] *= -1.0 / 28.0;
+    mix(p, 1.0, s1, -1.0 / 14.0, a[2], 0.0, NULL);
+    vti_cross(a[0], p, r1);
+    for (int c = 0; c < 3; ++c) {
+        r1[c] *= 1.0 / 3.0;
+        early[c] += s1[c];
+        late[c] += r1[c];
+    }
+    vti_cross(early, late, s2);
+    vti_cross(a[1], s1, p);
+    mix(q, 2.0, a[2], 1.0, s2, 0.5, p);
+    mix(p, 1.0, a[0], 1.25, s1, 0.0, NULL);
+    vti_cross(p, q, r2);
+    for (int c = 0; c < 3; ++c) {
+        theta[c] = a[0][c] + 1.0 / 12.0 * a[2][c];
+        p[c] = theta[c] - 7.0 / 3.0 * s1[c] - 1.0 / 6.0 * s2[c];
+        q[c] = 63.0 * r1[c] + r2[c] - 9.0 * a[1][c] - 2.25 * a[3][c];
+    }
+    vti_cross(p, q, s3);
+    for (int c = 0; c < 3; ++c)
+        theta[c] += 1.0 / 360.0 * s3[c] - 7.0 / 120.0 * s2[c];
+}
+
 static void predict(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[4])
 {
-    double o[3][3], theta[3], a1[3], a2[3], a3[3], c1[3], c2[3], p[3], q[3], w[3];
+    double a[4][3];
     for (int c = 0; c < 3; ++c) {
-        const double v = *at(&b->v, i, c);
+        const double v = *at(&b->v, i, c), w = *at(&b->omega, i, c);
         *at(&b->x, i, c) += h * (v + h * sum(m->depth, adams_d, s->past[i], c));
         *at(&b->v, i, c) = v + h * sum(m->depth, adams_g, s->past[i], c);
-        w[c] = *at(&b->omega, i, c);
-        for (int k = 0; k < 3; ++k)
-            o[k][c] = w[c] + h * sum(m->depth, adams_node[k], s->past[i], 3 + c);
-        *at(&b->omega, i, c) = w[c] + h * sum(m->depth, adams_g, s->past[i], 3 + c);
-        a1[c] = h * o[1][c];
-        a2[c] = 1.2909944487358056 * h * (o[2][c] - o[0][c]);
-        a3[c] = 10.0 / 3.0 * h * (o[2][c] - 2.0 * o[1][c] + o[0][c]);
+        a[0][c] = h * (w + h * sum(m->depth, adams_middle[0], s->past[i], 3 + c));
+        for (int k = 1; k < 4; ++k)
+            a[k][c] = h * h * sum(m->depth, adams_middle[k], s->past[i], 3 + c);
+        *at(&b->omega, i, c) = w + h * sum(m->depth, adams_g, s->past[i], 3 + c);
     }
-    vti_cross(a1, a2, c1);
-    for (int c = 0; c < 3; ++c)
-        p[c] = 2.0 * a3[c] + c1[c];
-    vti_cross(a1, p, c2);
-    for (int c = 0; c < 3; ++c) {
-        p[c] = c1[c] - 20.0 * a1[c] - a3[c];
-        q[c] = a2[c] - 1.0 / 60.0 * c2[c];
-    }
-    vti_cross(p, q, theta);
-    for (int c = 0; c < 3; ++c)
-        turn[1 + c] = a1[c] + 1.0 / 12.0 * a3[c] + 1.0 / 240.0 * theta[c];
+    magnus(a, turn + 1);
 }
 
 static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[4])
