@@ -169,7 +169,8 @@ contains
 
     !> A step that is stable for every stepper whose limit is h < 2/omega_max, while nothing is deformed by more than
     !> `at`, or where the bodies are. scratch has room for the bodies of the slice, which are all that the springs name.
-    !> VTI_E_SPRINGS if an effect does not report its springs: stable%effect is its number.
+    !> VTI_E_MASS or VTI_E_INERTIA if a spring pulls bodies that have v and no mass, or turns bodies that have omega and
+    !> neither inertia nor moments. VTI_E_SPRINGS if an effect does not report its springs: stable%effect is its number.
     function vti_stable_step(effects, bodies, scratch, stable, at) result(status)
         type(vti_effect), intent(in) :: effects(:)
         type(vti_bodies), intent(in) :: bodies

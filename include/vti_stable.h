@@ -28,6 +28,8 @@ typedef struct vti_stable {
  *
  *  All effects of the scene, a host's own among them, stand in the array. scratch is [count] doubles for the bodies of
  *  the slice, which must be all that the springs name. VTI_E_BOND if a spring names a body that is not in the slice,
+ *  VTI_E_MASS or VTI_E_INERTIA if one pulls or turns bodies that have none (without v bodies stay where they are and
+ *  need no mass; without omega, or with moments, they need no inertia; but what they have counts),
  *  VTI_E_SPRINGS if an effect does not report its springs: for that there is no bound; the number of the effect is then
  *  in stable->effect, and h is NaN. h is 0 if a number that is read is NaN, in *at also if it is negative, and if
  *  strain is 1 or more and shear is there. */

@@ -171,12 +171,37 @@ static int exists(const vti_spring *s, struct tally *t)
     return t->status == VTI_OK;
 }
 
+/** Whether a spring pulls bodies, and whether it turns them: shear does so by arms, and all that pulls by a lever. */
+static int pulls(const vti_spring *s)
+{
+    return s->axial != 0.0 || s->across != 0.0 || s->shear != 0.0;
+}
+
+static int turns(const vti_spring *s)
+{
+    const double arm_j = s->j >= 0 ? s->arm_j : 0.0, lever_j = s->j >= 0 ? s->lever_j : 0.0;
+    return s->bend != 0.0 || s->twist != 0.0 || (s->shear != 0.0 && (s->arm_i != 0.0 || arm_j != 0.0)) ||
+           (pulls(s) && (s->lever_i != 0.0 || lever_j != 0.0));
+}
+
+/** Whether what a spring moves has a mass and an inertia; what has no v stays where it is, what has no omega does not
+ *  turn. */
+static int weighs(const vti_spring *s, struct tally *t)
+{
+    const vti_bodies *b = t->b;
+    if (b->mass.p == NULL && vti_has(&b->v) && pulls(s))
+        t->status = VTI_E_MASS;
+    else if (vti_inertia_check(b) != VTI_OK && turns(s))
+        t->status = VTI_E_INERTIA;
+    return t->status == VTI_OK;
+}
+
 /** An element weighs as much as it is fast with its bodies whole: slow ones need little of a body. Any weights will do
  *  for a bound, so that of elements which are slower by 2^256 and more it is enough to say that they are there. 0 if it
- *  is slack, or if its bodies are not there. */
+ *  is slack, or if its bodies are not there, or have no mass or inertia. */
 static double weight(const vti_spring *s, struct tally *t, struct wide *whole)
 {
-    if (!exists(s, t))
+    if (!exists(s, t) || !weighs(s, t))
         return 0.0;
     *whole = omega2(s, t->b, 1.0, 1.0);
     if (whole->x == 0.0)

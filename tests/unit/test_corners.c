@@ -4,6 +4,7 @@
 #include "support.h"
 
 static double x[20][3], v[20][3], force[20][3], v_low[20][3], alpha[20][3], omega[20][3], moment[20][3];
+static double unit[20][3];
 static const double one = 1.0;
 
 static vti_bodies bodies(int64_t n)
@@ -16,6 +17,8 @@ static vti_bodies bodies(int64_t n)
             random_vector(&g, 1, all[k]);
     }
     memset(v_low, 0, sizeof v_low);
+    for (int k = 0; k < 60; ++k)
+        unit[k / 3][k % 3] = 1;
     b.x = vti_view_packed(x[0]);
     b.v = vti_view_packed(v[0]);
     b.force = vti_view_packed(force[0]);
@@ -102,6 +105,44 @@ TEST(springs_without_a_number)
             assert_int_equal(stable(&b, reversed, n, NULL, &found), VTI_OK);
             assert_true(found.h == 0.0);
         }
+    }
+}
+
+/** A spring that pulls asks for a mass, one that turns for an inertia; of bodies that stay where they are, or do not
+ *  turn, neither. The other end of a spring is held where j is -1. */
+TEST(springs_of_bodies_that_weigh_nothing)
+{
+    const struct {
+        vti_spring s;
+        int pulls, turns;
+    } all[] = {{{.i = 1, .j = 2, .length = 1, .axial = 1}, 1, 0},
+               {{.i = 1, .j = 2, .length = 1, .across = 1}, 1, 0},
+               {{.i = 1, .j = 2, .length = 1, .shear = 1, .arm_j = 1}, 1, 1},
+               {{.i = 1, .j = 2, .length = 1, .shear = 1, .arm_i = 1}, 1, 1},
+               {{.i = 1, .j = -1, .length = 1, .shear = 1, .arm_j = 1, .lever_j = 1}, 1, 0},
+               {{.i = 1, .j = 2, .length = 1, .axial = 1, .lever_i = 1}, 1, 1},
+               {{.i = 1, .j = 2, .length = 1, .axial = 1, .lever_j = 1}, 1, 1},
+               {{.i = 1, .j = 2, .length = 1, .lever_j = 1}, 0, 0},
+               {{.i = 1, .j = -1, .length = 1, .bend = 1}, 0, 1},
+               {{.i = 1, .j = -1, .length = 1, .twist = 1}, 0, 1}};
+    vti_stable found;
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {
+        vti_bodies light = bodies(4);
+        light.force = light.moment = vti_view_none();
+        light.mass.p = NULL;
+        assert_int_equal(stable(&light, &all[k].s, 1, NULL, &found), all[k].pulls ? VTI_E_MASS : VTI_OK);
+        light.v = vti_view_none();
+        assert_int_equal(stable(&light, &all[k].s, 1, NULL, &found), VTI_OK);
+        light = bodies(4);
+        light.moment = vti_view_none();
+        light.inertia.p = NULL;
+        assert_int_equal(stable(&light, &all[k].s, 1, NULL, &found), all[k].turns ? VTI_E_INERTIA : VTI_OK);
+        light.omega = vti_view_none();
+        assert_int_equal(stable(&light, &all[k].s, 1, NULL, &found), VTI_OK);
+        light = bodies(4);
+        light.inertia.p = NULL;
+        light.moments = vti_view_packed(unit[0]);
+        assert_int_equal(stable(&light, &all[k].s, 1, NULL, &found), VTI_OK);
     }
 }
 
@@ -272,6 +313,6 @@ TEST(what_is_not_there)
 }
 
 RUN_TESTS(cmocka_unit_test(springs_of_bodies_that_are_not_there), cmocka_unit_test(springs_without_a_number),
-          cmocka_unit_test(strains_and_contacts_of_no_use), cmocka_unit_test(lists_longer_than_their_values),
-          cmocka_unit_test(a_stepper_of_ones_own), cmocka_unit_test(what_no_kernel_takes),
-          cmocka_unit_test(what_is_not_there))
+          cmocka_unit_test(springs_of_bodies_that_weigh_nothing), cmocka_unit_test(strains_and_contacts_of_no_use),
+          cmocka_unit_test(lists_longer_than_their_values), cmocka_unit_test(a_stepper_of_ones_own),
+          cmocka_unit_test(what_no_kernel_takes), cmocka_unit_test(what_is_not_there))

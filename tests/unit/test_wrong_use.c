@@ -350,7 +350,7 @@ TEST(stable)
     assert_int_equal(found.i, -1);
 }
 
-/** Lists of nothing, springs of no stiffness, and springs at bodies without mass: nothing oscillates. */
+/** Lists of nothing, springs of no stiffness, and springs at bodies that stay where they are: nothing oscillates. */
 TEST(nothing_oscillates)
 {
     const int64_t pair[2] = {0, 1};
@@ -384,6 +384,9 @@ TEST(nothing_oscillates)
                              VTI_OK);
             assert_true(isfinite(found.h) && found.h > 0);
             some.mass.p = NULL;
+            assert_int_equal(vti_stable_step(still[k].effects, still[k].n, &some, still[k].at, scratch, &found),
+                             VTI_E_MASS);
+            some.v = vti_view_none();
         }
         found.h = 7;
         assert_int_equal(vti_stable_step(still[k].effects, still[k].n, &some, still[k].at, scratch, &found), VTI_OK);
