@@ -214,7 +214,8 @@ module vti_types
     end type
 
     !> What touches hold; slots is a power of 2, held the address of an array of as many type(vti_held), of which the first
-    !> used hold something, slot that of an array of as many integer(c_int64_t), zeros at the start.
+    !> used hold something, slot that of an array of as many integer(c_int64_t), zeros at the start. A restart puts what
+    !> was held into an empty one by vti_history_add, which writes the slots.
     type, bind(c) :: vti_history
         integer(c_int64_t) :: slots = 0, used = 0, missed = 0
         type(c_ptr) :: held = c_null_ptr, slot = c_null_ptr

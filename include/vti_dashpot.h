@@ -65,8 +65,8 @@ VTI_API double vti_dashpots_zeta(double e, int64_t pull);
 
 /** The effect of *dashpots, which must outlive it, as must the lists, of effects of their own. Needs x, v and mass, and
  *  inertia or moments where bodies turn. Entries of booked energy: "lost_dashpot_normal", "lost_dashpot_tangential",
- *  "lost_dashpot_rolling", "lost_dashpot_twisting". VTI_E_DAMPING of its calls: a coefficient is negative or not
- *  finite, or the reach is not positive. */
+ *  "lost_dashpot_rolling", "lost_dashpot_twisting". VTI_E_DAMPING of its calls: a coefficient, or a limit
+ *  of friction, is negative or not finite, or the reach is not positive. */
 VTI_API vti_effect vti_dashpots_effect(const vti_dashpots *dashpots);
 
 #ifdef __cplusplus

@@ -76,8 +76,8 @@ extern "C" {
         "stiffness for each motion, and a reach: INFINITY where lists have all pairs")                                 \
     ROW(VTI_E_HISTORY, -21,                                                                                            \
         "the table of what touches hold is full, or its slots are no power of 2, or what is put into it names no two " \
-        "different bodies and no wall, or is not finite; give it twice as many slots as bodies touch, and begin anew " \
-        "or from a restart")                                                                                           \
+        "different bodies and no wall, or is not finite, or its slots do not lead to what is held; give it twice as "  \
+        "many slots as bodies touch, and begin anew, or put what a restart holds in by vti_history_add")               \
     ROW(VTI_E_PAST, -22,                                                                                               \
         "a multistep method remembers too little, or has no memory; record the accelerations before each of K - 1 "    \
         "steps of another method, and after them")                                                                     \

@@ -18,6 +18,18 @@ static inline int64_t vti_faces(const vti_walls *p)
     return p != NULL && p->count >= 0 && p->cylinders >= 0 ? p->count + p->cylinders : 0;
 }
 
+/** Whether the limits of friction, between bodies and at these walls, are finite numbers >= 0. */
+static inline int vti_friction_has_limits(const vti_friction *p, const vti_walls *walls)
+{
+    const double all[] = {p->sliding, p->rolling, p->twisting};
+    int good = 1;
+    for (int k = 0; k < 3; ++k)
+        good &= isfinite(all[k]) && all[k] >= 0.0;
+    for (int64_t w = 0; p->wall_sliding != NULL && w < vti_faces(walls); ++w)
+        good &= isfinite(p->wall_sliding[w]) && p->wall_sliding[w] >= 0.0;
+    return good;
+}
+
 /** K of body i, of that radius, at wall w. */
 static inline double vti_face_stiffness(const vti_walls *p, int64_t w, int64_t i, double radius)
 {

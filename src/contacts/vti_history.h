@@ -32,6 +32,31 @@ static inline int vti_history_is(const vti_held *held, int64_t i, int64_t j)
     return held->i == i && held->j == j;
 }
 
+/** What the slot of what is held so far down the list has. */
+static inline int64_t vti_history_mark(const vti_history *t, int64_t number)
+{
+    const uint64_t hash = vti_history_hash(t->held[number].i, t->held[number].j);
+    return (int64_t)(hash << 32 | (uint64_t)(number + 1));
+}
+
+/** Whether what is held so far down the list is found by the slots, whatever these hold. */
+static inline int vti_history_leads(const vti_history *t, int64_t number)
+{
+    const int64_t mark = vti_history_mark(t, number), mask = t->slots - 1;
+    int64_t k = (int64_t)vti_history_hash_of(mark) & mask, tries = t->slots;
+    for (; t->slot[k] != mark && t->slot[k] != 0 && tries > 0; --tries)
+        k = (k + 1) & mask;
+    return t->slot[k] == mark;
+}
+
+/** Whether it holds no more than there is room for, and the slots know the first and the last of it. */
+static inline int vti_history_is_whole(const vti_history *t)
+{
+    if (t->used < 0 || t->used >= t->slots)
+        return 0;
+    return t->used == 0 || (vti_history_leads(t, 0) && vti_history_leads(t, t->used - 1));
+}
+
 /** The slot of the touch, or the empty one where it would be; i and j are those of vti_held. */
 static inline int64_t *vti_history_slot(const vti_history *t, int64_t i, int64_t j)
 {
@@ -68,7 +93,7 @@ static inline vti_held *vti_history_begin(vti_history *t, int64_t i, int64_t j)
     if (t->used + 1 >= t->slots)
         return NULL;
     t->held[t->used] = nothing;
-    *vti_history_slot(t, i, j) = (int64_t)((uint64_t)vti_history_hash(i, j) << 32 | (uint64_t)(t->used + 1));
+    *vti_history_slot(t, i, j) = vti_history_mark(t, t->used);
     return &t->held[t->used++];
 }
 

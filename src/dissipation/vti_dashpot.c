@@ -300,7 +300,7 @@ static int check(const void *self, const vti_bodies *b)
 {
     const vti_dashpots *p = self;
     const double all[] = {p->zeta, p->normal, p->tangential, p->ratio, p->rolling, p->twisting};
-    int good = p->reach > 0.0;
+    int good = p->reach > 0.0 && (p->friction == NULL || vti_friction_has_limits(p->friction, p->walls));
     for (int k = 0; k < 6; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
     for (int64_t w = 0; p->wall_zeta != NULL && w < vti_faces(p->walls); ++w)

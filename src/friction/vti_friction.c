@@ -31,7 +31,7 @@ int vti_history_add(vti_history *history, const vti_held *held)
 {
     if (history == NULL || history->slot == NULL || history->held == NULL || held == NULL)
         return VTI_E_NULL;
-    if (!has_slots(history) || history->used >= history->slots || !is_held(held))
+    if (!has_slots(history) || history->used < 0 || history->used >= history->slots || !is_held(held))
         return VTI_E_HISTORY;
     vti_held *at = vti_history_find(history, held->i, held->j);
     if (at == NULL)
@@ -253,13 +253,11 @@ static const int64_t needs =
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_friction *p = self;
-    const double all[] = {p->sliding, p->rolling,           p->twisting,          p->stiffness,
-                          p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
+    const double all[] = {p->stiffness, p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
     int good = p->reach > 0.0 && (p->sliding == 0.0 || (p->stiffness > 0.0) + (p->mindlin > 0.0) == 1);
-    for (int k = 0; k < 7; ++k)
+    good &= vti_friction_has_limits(p, p->walls);
+    for (int k = 0; k < 4; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
-    for (int64_t w = 0; p->wall_sliding != NULL && w < vti_faces(p->walls); ++w)
-        good &= isfinite(p->wall_sliding[w]) && p->wall_sliding[w] >= 0.0;
     good &= !(p->rolling > 0.0) || p->rolling_stiffness > 0.0;
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
     if (!good)
@@ -269,7 +267,8 @@ static int check(const void *self, const vti_bodies *b)
     const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
     if (status != VTI_OK)
         return status;
-    return !has_slots(p->history) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
+    return has_slots(p->history) && p->history->missed == 0 && vti_history_is_whole(p->history) ? VTI_OK
+                                                                                                : VTI_E_HISTORY;
 }
 
 vti_effect vti_friction_effect(const vti_friction *friction)

@@ -234,6 +234,34 @@ TEST(adding_to_a_table)
     assert_int_equal(vti_history_add(&history, &held), VTI_E_HISTORY);
 }
 
+/** A restart fills an empty table by vti_history_add: what was held beside slots that do not know it is refused, as is
+ *  a number of entries that cannot be. */
+TEST(a_table_of_its_own)
+{
+    two_bodies();
+    const vti_friction p = all_friction();
+    for (int64_t k = 0; k < 3; ++k)
+        assert_int_equal(vti_history_add(&history, &(vti_held){1 + k, 5 + k, {0}, {0}, 0}), VTI_OK);
+    says(vti_friction_effect(&p), VTI_OK);
+    const int64_t counts[] = {-1, 4, 8, 9};
+    for (int k = 0; k < 4; ++k) {
+        history.used = counts[k];
+        entries[3] = (vti_held){6, 8, {0}, {0}, 0}; /* of which the slots know nothing */
+        says(vti_friction_effect(&p), VTI_E_HISTORY);
+    }
+    history.used = -1;
+    assert_int_equal(vti_history_add(&history, &entries[3]), VTI_E_HISTORY);
+    history.used = 3;
+    entries[0].i = 4;
+    says(vti_friction_effect(&p), VTI_E_HISTORY);
+    entries[0].i = 1;
+    says(vti_friction_effect(&p), VTI_OK);
+    memset(slots, 0, sizeof slots);
+    says(vti_friction_effect(&p), VTI_E_HISTORY);
+    memset(slots, 1, sizeof slots); /* none is empty, and none leads anywhere */
+    says(vti_friction_effect(&p), VTI_E_HISTORY);
+}
+
 /* ---- dashpots ---------------------------------------------------------------------------------------------------- */
 
 TEST(coefficients_of_dashpots)
@@ -253,6 +281,30 @@ TEST(coefficients_of_dashpots)
     vti_dashpots p = all_dashpots();
     p.reach = 0; /* as a struct of zeros has it */
     says(vti_dashpots_effect(&p), VTI_E_DAMPING);
+}
+
+/** Dashpots look at the friction whose limits they obey, whether its effect is there or not. */
+TEST(limits_of_dashpots)
+{
+    static const size_t at[] = {offsetof(vti_friction, sliding), offsetof(vti_friction, rolling),
+                                offsetof(vti_friction, twisting)};
+    two_bodies();
+    vti_friction friction = all_friction();
+    vti_dashpots p = all_dashpots();
+    p.friction = &friction;
+    says(vti_dashpots_effect(&p), VTI_OK);
+    for (int k = 0; k < 3; ++k)
+        for (int bad = 0; bad < 4; ++bad) {
+            friction = all_friction();
+            memcpy((char *)&friction + at[k], &wrong[bad], sizeof(double));
+            says(vti_dashpots_effect(&p), VTI_E_DAMPING);
+        }
+    friction = all_friction();
+    for (int bad = 0; bad < 4; ++bad) {
+        friction.wall_sliding = &wrong[bad];
+        says(vti_dashpots_effect(&p), VTI_E_DAMPING);
+        says(vti_friction_effect(&friction), VTI_E_DAMPING);
+    }
 }
 
 TEST(lists_of_dashpots)
@@ -347,6 +399,7 @@ TEST(inertia_of_what_turns)
 RUN_TESTS(cmocka_unit_test(coefficients_of_friction), cmocka_unit_test(stiffnesses_of_friction),
           cmocka_unit_test(walls), cmocka_unit_test(no_bodies_but_pairs),
           cmocka_unit_test(lists_and_tables_of_friction), cmocka_unit_test(adding_to_a_table),
-          cmocka_unit_test(coefficients_of_dashpots), cmocka_unit_test(lists_of_dashpots),
+          cmocka_unit_test(a_table_of_its_own), cmocka_unit_test(coefficients_of_dashpots),
+          cmocka_unit_test(limits_of_dashpots), cmocka_unit_test(lists_of_dashpots),
           cmocka_unit_test(dashpots_of_bonds), cmocka_unit_test(bonds_that_turn),
           cmocka_unit_test(inertia_of_what_turns))
