@@ -179,16 +179,16 @@ double vti_h1_density(const vti_bodies *b)
     return vti_sum_value(&sum);
 }
 
-/** Both are sound, of one length, and r has all that is compared. */
+/** Both are sound, of one length, and have the same of what is compared. */
 static int comparable(const vti_bodies *b, const vti_bodies *r, int attitudes_only)
 {
     if (vti_bodies_ready(b) != VTI_OK || vti_bodies_ready(r) != VTI_OK || b->count != r->count)
         return 0;
     if (b->count == 0)
         return 1;
-    const int attitudes = !vti_has_attitude(b) || vti_has_attitude(r);
-    const int vectors = (!vti_has(&b->x) || vti_has(&r->x)) && (!vti_has(&b->v) || vti_has(&r->v)) &&
-                        (!vti_has(&b->omega) || vti_has(&r->omega));
+    const int attitudes = vti_has_attitude(b) == vti_has_attitude(r);
+    const int vectors = vti_has(&b->x) == vti_has(&r->x) && vti_has(&b->v) == vti_has(&r->v) &&
+                        vti_has(&b->omega) == vti_has(&r->omega);
     return attitudes && (attitudes_only || vectors);
 }
 

@@ -227,8 +227,10 @@ TEST(what_can_be_compared)
         vti_bodies less = b;
         *(vti_view *)((char *)&less + offsets[k]) = vti_view_none();
         assert_true(isnan(vti_h1_distance(&b, &less)));
-        assert_true(vti_h1_distance(&less, &b) == 0.0 && vti_attitude_distance(&less, &b) == 0.0);
+        assert_true(isnan(vti_h1_distance(&less, &b)) && vti_h1_distance(&less, &less) == 0.0);
         assert_true(k == 3 ? isnan(vti_attitude_distance(&b, &less)) : vti_attitude_distance(&b, &less) == 0.0);
+        assert_true(k == 3 ? isnan(vti_attitude_distance(&less, &b)) : vti_attitude_distance(&less, &b) == 0.0);
+        assert_true(vti_attitude_distance(&less, &less) == 0.0);
     }
     const vti_bodies empty = vti_bodies_slice(b, 2, 0);
     assert_true(vti_h1_distance(&empty, &none) == 0.0 && vti_attitude_distance(&empty, &none) == 0.0);
