@@ -41,7 +41,8 @@ contains
     ! ---- checks and the two primitives ----------------------------------------------------------------------------
 
     !> vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude and
-    !> spin finite, no quaternion zero. fault says what is wrong with which body.
+    !> spin finite, no quaternion zero or of no normal length (1.5e-154 to 1.3e154). fault says what is wrong with which
+    !> body.
     function vti_bodies_check_values(bodies, fault) result(status)
         type(vti_bodies), intent(in) :: bodies
         type(vti_fault), intent(out), optional :: fault

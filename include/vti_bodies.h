@@ -222,8 +222,9 @@ VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
 /** All of vti_bodies_check, and of the slice every mass, inertia and moment finite and > 0, no moment more than the sum
  *  of the two others (by more than 2^-20 of it, as single precision has it), every position, velocity, attitude and
- *  spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault, which says what is
- *  wrong with which body, may be NULL. */
+ *  spin finite, no quaternion zero (as zeroed memory is) or so short or long that |q|^2 is no normal number: below
+ *  1.5e-154 or above 1.3e154. Else its length does not matter. For once before the first step. fault, which says what
+ *  is wrong with which body, may be NULL. */
 VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);
 
 #ifdef __cplusplus

@@ -62,14 +62,14 @@ extern "C" {
         "1, or a diameter, radius or modulus is not positive and finite, or a stiffness is negative, not finite or "   \
         "beside a modulus, or a place or motion of a wall is not finite; mend that pair or wall")                      \
     ROW(VTI_E_STATE, -17,                                                                                              \
-        "a position, velocity, attitude or spin is not finite, or a quaternion is zero; set all of them before the "   \
-        "first step, an unturned quaternion to real part 1")                                                           \
+        "a position, velocity, attitude or spin is not finite, or a quaternion is zero or of no normal length; set "   \
+        "all of them before the first step, an unturned quaternion to real part 1")                                    \
     ROW(VTI_E_SPRINGS, -18,                                                                                            \
         "an effect does not report its springs, so that the stable step has no bound; give it springs, "               \
         "vti_springs_none if its force does not change with position, or leave it out to bound the others")            \
     ROW(VTI_E_NEEDS, -19,                                                                                              \
-        "an effect needs what the bodies do not have: x, v, an attitude, omega, mass or inertia, as its needs say; "   \
-        "give the bodies that view, or leave the effect out")                                                          \
+        "an effect needs what the bodies do not have: x, v, an attitude, omega, mass or inertia, as its needs or its " \
+        "terms say, or has a bit in needs that is no quantity; give the bodies that view, or leave the effect out")    \
     ROW(VTI_E_DAMPING, -20,                                                                                            \
         "a coefficient of drag, damping or friction is negative or not finite, or the velocity of a medium is not "    \
         "finite, or friction has no stiffness, or two, or a reach is not positive; give finite numbers >= 0, one "     \

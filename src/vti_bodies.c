@@ -174,25 +174,33 @@ static int values_check(const vti_scalars *s, const vti_bodies *b, int error, in
     return VTI_OK;
 }
 
-/** n numbers of body i: all finite, and if one has to be there, not all zero. */
-static int state_check(double *const *c, int n, int64_t at, int one, int64_t i, int64_t quantity, vti_fault *fault)
+/** n numbers of body i: all finite. */
+static int state_check(double *const *c, int n, int64_t at, int64_t i, int64_t quantity, vti_fault *fault)
 {
-    int some = !one;
     double bad = 0.0;
-    for (int k = 0; k < n; ++k) {
+    for (int k = 0; k < n; ++k)
         bad = isfinite(c[k][at]) ? bad : c[k][at];
-        some |= c[k][at] != 0.0;
+    return bad == 0.0 ? VTI_OK : vti_refuse(VTI_E_STATE, i, bad, quantity, fault);
+}
+
+/** A quaternion of body i: the square of its length, by which it is divided, is a normal number. */
+static int quat_state_check(double *const *c, int64_t at, int64_t i, int64_t quantity, vti_fault *fault)
+{
+    double square = 0.0, longest = 0.0;
+    for (int k = 0; k < 4; ++k) {
+        square += c[k][at] * c[k][at];
+        longest = fabs(c[k][at]) > fabs(longest) ? c[k][at] : longest;
     }
-    return some && bad == 0.0 ? VTI_OK : vti_refuse(VTI_E_STATE, i, bad, quantity, fault);
+    const int status = state_check(c, 4, at, i, quantity, fault);
+    return status != VTI_OK || isnormal(square) ? status : vti_refuse(VTI_E_STATE, i, longest, quantity, fault);
 }
 
 /** What a step moves, of one body. */
 static int body_check(const vti_bodies *b, int64_t i, vti_fault *fault)
 {
     int status = VTI_OK;
-#define STATE_vti_view(member, quantity) state_check(b->member.c, 3, i * b->member.stride, 0, i, quantity, fault)
-#define STATE_vti_quat_view(member, quantity)                                                                          \
-    state_check(b->member.xyzw, 4, i * b->member.stride, 1, i, quantity, fault)
+#define STATE_vti_view(member, quantity) state_check(b->member.c, 3, i * b->member.stride, i, quantity, fault)
+#define STATE_vti_quat_view(member, quantity) quat_state_check(b->member.xyzw, i * b->member.stride, i, quantity, fault)
 #define GIVEN_vti_view(member) vti_has(&b->member)
 #define GIVEN_vti_quat_view(member) (b->member.xyzw[0] != NULL)
 #define CHECK_STATE(constant, member, type)                                                                            \

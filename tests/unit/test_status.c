@@ -353,9 +353,19 @@ TEST(states)
         assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
         at_fault(&fault, VTI_E_STATE, i, VTI_QUANTITY_QUAT);
         assert_true(fault.value == 0);
-        quat_[4 * i + (i + 3) % 4] = -1e-3;
+        quat_[4 * i + (i + 3) % 4] = i == 2 ? 0 : -1e-3;
+        if (i == 2)
+            quat_[4 * 2 + 1] = 1;
     }
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
+    const double lengths[] = {1e-180, -1e180, 1e-153, 1e153}; /* whose squares are no normal numbers, and are */
+    for (int k = 0; k < 4; ++k) {
+        quat_[4 * 2 + 1] = lengths[k];
+        assert_int_equal(vti_bodies_check_values(&b, &fault), k < 2 ? VTI_E_STATE : VTI_OK);
+        if (k < 2)
+            at_fault(&fault, VTI_E_STATE, 2, VTI_QUANTITY_QUAT);
+        assert_true(fault.value == (k < 2 ? lengths[k] : 0.0));
+    }
     quat_[4 * 2 + 1] = NAN;
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
     at_fault(&fault, VTI_E_STATE, 2, VTI_QUANTITY_QUAT);
