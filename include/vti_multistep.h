@@ -99,7 +99,8 @@ VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_pas
  *  touch does not know of it: a run that starts so takes its K - 1 steps back in time (v and Omega turned round, forces
  *  recorded from the last to the first, the bodies put back), without the forces of what does not touch at the start:
  *  bodies that have just parted would meet there. VTI_E_NEEDS where there is a list, but not x, v or mass; what before is
- *  refused for is what a view of these bodies would be, VTI_E_ALIAS for x itself or a part of it. */
+ *  refused for is what a view of these bodies would be, VTI_E_ALIAS for x itself or a part of it; views of rounding
+ *  errors and moments are refused as by the other calls. */
 VTI_API int vti_multistep_touch(double h, const vti_view *before, const vti_contacts *contacts, const vti_walls *walls,
                                 const vti_bodies *bodies);
 

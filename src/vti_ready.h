@@ -148,4 +148,19 @@ static inline int vti_stepper_suits(const vti_stepper *method, const vti_bodies 
                : VTI_OK;
 }
 
+/** VTI_E_MOMENTS where bodies have moments, VTI_E_VIEW where they have views of rounding errors: multistep methods go
+ *  with neither. */
+static inline int vti_multistep_suits(const vti_bodies *b, vti_fault *fault)
+{
+    const vti_view *const low[] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low, &b->spin_low};
+    static const int64_t named[] = {VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW,
+                                    VTI_QUANTITY_OMEGA_LOW, VTI_QUANTITY_SPIN_LOW};
+    if (vti_has(&b->moments))
+        return vti_refuse(VTI_E_MOMENTS, -1, 0.0, VTI_QUANTITY_MOMENTS, fault);
+    for (int k = 0; k < 5; ++k)
+        if (vti_has(low[k]))
+            return vti_refuse(VTI_E_VIEW, -1, 0.0, named[k], fault);
+    return VTI_OK;
+}
+
 #endif

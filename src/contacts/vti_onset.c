@@ -141,6 +141,8 @@ static int check(double h, const vti_view *before, const vti_contacts *contacts,
     vti_effect effects[2];
     int64_t n = 0;
     int status = vti_bodies_ready(b);
+    if (status == VTI_OK)
+        status = vti_multistep_suits(b, NULL);
     if (status != VTI_OK)
         return status;
     if (before == NULL)

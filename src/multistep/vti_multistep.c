@@ -56,12 +56,9 @@ static int check_past(const vti_past *past, const vti_bodies *b, vti_fault *faul
     const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
-    if (vti_has(&b->moments))
-        return vti_refuse(VTI_E_MOMENTS, -1, 0.0, VTI_QUANTITY_MOMENTS, fault);
-    const vti_view *const low[] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
-    for (int k = 0; k < 4; ++k)
-        if (vti_has(low[k]))
-            return vti_refuse(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X_LOW + k, fault);
+    const int refused = vti_multistep_suits(b, fault);
+    if (refused != VTI_OK)
+        return refused;
     if (past->memory == NULL || past->depth < 1 || past->known < 0 || past->known > past->depth)
         return vti_refuse(VTI_E_PAST, -1, (double)past->known, VTI_QUANTITY_NONE, fault);
     return VTI_OK;

@@ -353,10 +353,10 @@ static void refusals(void **state)
     assert_int_equal(vti_multistep_error(m, 0.1, &f.past, &b, &told, NULL), VTI_E_NULL);
     assert_true(told == 7.0);
     assert_int_equal(vti_multistep_predict(m, NAN, &f.past, &b, &fault), VTI_E_TIME);
-    vti_view *const low[] = {&b.x_low, &b.v_low, &b.alpha_low, &b.omega_low};
+    vti_view *const low[] = {&b.x_low, &b.v_low, &b.alpha_low, &b.omega_low, &b.spin_low};
     static const int64_t named[] = {VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW,
-                                    VTI_QUANTITY_OMEGA_LOW};
-    for (int k = 0; k < 4; ++k) {
+                                    VTI_QUANTITY_OMEGA_LOW, VTI_QUANTITY_SPIN_LOW};
+    for (int k = 0; k < 5; ++k) {
         *low[k] = vti_view_packed(f.memory[0][0]);
         assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_VIEW);
         assert_int_equal(fault.quantity, named[k]);

@@ -486,6 +486,17 @@ TEST(refusals)
     b.mass.p = NULL;
     assert_int_equal(vti_multistep_touch(0.1, &before, NULL, &s.walls, &b), VTI_E_NEEDS);
     assert_int_equal(vti_multistep_touch(0.1, &before, &s.contacts, NULL, &b), VTI_E_NEEDS);
+    double low[3 * BODIES] = {0}, moments[3] = {1, 1, 1};
+    for (int k = 0; k < 5; ++k) {
+        b = s.b;
+        vti_view *const left[] = {&b.x_low, &b.v_low, &b.alpha_low, &b.omega_low, &b.spin_low};
+        *left[k] = vti_view_packed(low);
+        assert_int_equal(vti_multistep_touch(0.1, &before, NULL, &s.walls, &b), VTI_E_VIEW);
+    }
+    b = s.b;
+    b.inertia.p = NULL;
+    b.moments = (vti_view){{moments, moments + 1, moments + 2}, 0, 0};
+    assert_int_equal(vti_multistep_touch(0.1, &before, NULL, &s.walls, &b), VTI_E_MOMENTS);
     const vti_bodies none = vti_bodies_none(0); /* of which no array is there to look at */
     assert_int_equal(vti_multistep_touch(0.1, &before, &s.contacts, &s.walls, &none), VTI_OK);
     assert_same_bits(s.x, as_before.x, 3 * BODIES);
