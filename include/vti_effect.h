@@ -111,9 +111,9 @@ typedef struct vti_effect {
     /** At the end of a step: takes out what breaks, books its energy and returns how many did (EQUATIONS 6.7). */
     int64_t (*rupture)(const void *self, const vti_bodies *bodies);
     const void *self; /**< first argument of all of them */
-    int64_t
-        needs; /**< bits 1 << vti_quantity of what it cannot do without; alpha or quat: an attitude in either form */
-    int64_t gives;   /**< what apply adds to: 1 << VTI_QUANTITY_FORCE, 1 << VTI_QUANTITY_MOMENT */
+    int64_t needs; /**< bits 1 << vti_quantity of what it cannot do without, loads and rounding errors among them; alpha
+                          or quat: an attitude in either form; any other bit is refused */
+    int64_t gives; /**< what apply adds to: 1 << VTI_QUANTITY_FORCE, 1 << VTI_QUANTITY_MOMENT */
     int64_t smooth;  /**< 1 if its force has all derivatives; 0 if it has kinks, as where a contact begins */
     int64_t settles; /**< 1 if its flow leaves nothing to set to 0 of spheres' velocities (below); bodies at rest then
                          cost a pass less over them */
@@ -136,8 +136,9 @@ VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const v
 
 /** Whether all of them may be used with the bodies: what every call with effects looks at first. VTI_E_NULL for an
  *  effect that does nothing, having neither apply nor flow nor rupture, as is made of what is NULL or given in part;
- *  VTI_E_COUNT for one of more than VTI_TERMS terms or books; VTI_E_NEEDS for one that needs what the bodies do not have; or what its check says. fault, which may be NULL, has in
- *  body the number of the effect, from 0, and in quantity what is missing; or what vti_bodies_check finds. */
+ *  VTI_E_COUNT for one of more than VTI_TERMS terms or books; VTI_E_NEEDS for one that needs what the bodies do not
+ *  have, or what is no quantity; or what its check says. fault, which may be NULL, has in body the number of the effect,
+ *  from 0, and in quantity what is missing; or what vti_bodies_check finds. */
 VTI_API int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *bodies, vti_fault *fault);
 
 /** force = moment = 0 on the slice, then every effect in order. Where vti_effects_check refuses, nothing has been

@@ -46,24 +46,61 @@ static inline void clear_loads(const vti_bodies *b)
     clear_load(b, &b->moment);
 }
 
-/** The first quantity that is needed and absent, or VTI_QUANTITY_NONE. An attitude is one in either form. */
-static inline int64_t lacking(int64_t needs, const vti_bodies *b)
-{
-    const int64_t attitude = 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_QUAT;
-    if (needs & attitude && !vti_has_attitude(b))
-        return VTI_QUANTITY_ALPHA;
+/** Bits of what effects may need: of what steps read, as most do, and of all. */
+#define BIT_STATE(constant) | 1 << (constant)
+#define BIT_CONSTANT(constant) | 1 << (constant)
+#define BIT_LOAD(constant)
+#define BIT_LOW(constant)
+#define BIT_READ(constant, number, member, type, role) BIT_##role(constant)
+#define BIT_ANY(constant, number, member, type, role) | 1 << (constant)
+static const int64_t what_is_read = 0 VTI_QUANTITIES(BIT_READ), what_there_is = 0 VTI_QUANTITIES(BIT_ANY);
+
 #define START_vti_view(member) b->member.c[0]
 #define START_vti_quat_view(member) b->member.xyzw[0]
 #define START_vti_scalars(member) b->member.p
-#define LACKS_STATE(constant, member, type)                                                                            \
-    if (needs & ~attitude & 1 << (constant) && START_##type(member) == NULL)                                           \
+#define LACKS_ANY(constant, member, type)                                                                              \
+    if (needs & 1 << (constant) && START_##type(member) == NULL)                                                       \
         return constant;
-#define LACKS_CONSTANT(constant, member, type) LACKS_STATE(constant, member, type)
-#define LACKS_LOAD(constant, member, type)
-#define LACKS_LOW(constant, member, type)
-#define LACKS(constant, number, member, type, role) LACKS_##role(constant, member, type)
-    VTI_QUANTITIES(LACKS)
+#define LACKS_NONE(constant, member, type)
+
+/** The first of the states and constants that is needed and absent, or VTI_QUANTITY_NONE. An attitude is one in either
+ *  form. */
+static inline int64_t lacking(int64_t needed, const vti_bodies *b)
+{
+    const int64_t attitude = 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_QUAT, needs = needed & ~attitude;
+    if (needed & attitude && !vti_has_attitude(b))
+        return VTI_QUANTITY_ALPHA;
+#define READ_STATE LACKS_ANY
+#define READ_CONSTANT LACKS_ANY
+#define READ_LOAD LACKS_NONE
+#define READ_LOW LACKS_NONE
+#define READ(constant, number, member, type, role) READ_##role(constant, member, type)
+    VTI_QUANTITIES(READ)
     return VTI_QUANTITY_NONE;
+}
+
+/** The same of loads and rounding errors, which few need. */
+VTI_APART int64_t lacking_else(int64_t needs, const vti_bodies *b)
+{
+#define ELSE_STATE LACKS_NONE
+#define ELSE_CONSTANT LACKS_NONE
+#define ELSE_LOAD LACKS_ANY
+#define ELSE_LOW LACKS_ANY
+#define ELSE(constant, number, member, type, role) ELSE_##role(constant, member, type)
+    VTI_QUANTITIES(ELSE)
+    return VTI_QUANTITY_NONE;
+}
+
+/** VTI_E_NEEDS where something is needed that the bodies do not have, or that is no quantity. */
+VTI_INLINE int needs_check(int64_t needs, const vti_bodies *b, int64_t *quantity)
+{
+    *quantity = lacking(needs, b);
+    if ((needs & ~what_is_read) != 0 && *quantity == VTI_QUANTITY_NONE) {
+        *quantity = lacking_else(needs, b);
+        if ((needs & ~what_there_is) != 0)
+            return VTI_E_NEEDS;
+    }
+    return *quantity != VTI_QUANTITY_NONE ? VTI_E_NEEDS : VTI_OK;
 }
 
 VTI_INLINE int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *quantity)
@@ -77,9 +114,7 @@ VTI_INLINE int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *q
         return VTI_E_NULL;
     if (b->count == 0) /* nothing is called, and arrays of no bodies may be absent */
         return VTI_OK;
-    if (e->needs != 0)
-        *quantity = lacking(e->needs, b);
-    if (*quantity != VTI_QUANTITY_NONE)
+    if (e->needs != 0 && needs_check(e->needs, b, quantity) != VTI_OK)
         return VTI_E_NEEDS;
     return e->check != NULL ? e->check(e->self, b) : VTI_OK;
 }

@@ -72,6 +72,33 @@ TEST(refused_by_one_place)
     }
 }
 
+/** Loads and rounding errors are looked at like the others, and bits of nothing are refused. */
+TEST(what_few_need)
+{
+    static double low[DOUBLES];
+    static const int seldom[] = {VTI_QUANTITY_FORCE,   VTI_QUANTITY_MOMENT,    VTI_QUANTITY_X_LOW,
+                                 VTI_QUANTITY_V_LOW,   VTI_QUANTITY_ALPHA_LOW, VTI_QUANTITY_OMEGA_LOW,
+                                 VTI_QUANTITY_SPIN_LOW};
+    vti_view *const views[] = {&b.force, &b.moment, &b.x_low, &b.v_low, &b.alpha_low, &b.omega_low, &b.spin_low};
+    vti_effect own = {.name = "magnet", .apply = count};
+    vti_fault fault = {7, 7, 7};
+    for (int k = 0; k < 7; ++k) {
+        *views[k] = vti_view_packed(low);
+        own.needs = 1 << seldom[k] | 1 << VTI_QUANTITY_X;
+        assert_int_equal(vti_effects_check(&own, 1, &b, &fault), VTI_OK);
+        *views[k] = vti_view_none();
+        assert_int_equal(vti_effects_check(&own, 1, &b, &fault), VTI_E_NEEDS);
+        assert_true(fault.body == 0 && fault.quantity == seldom[k]);
+        assert_int_equal(vti_apply(&own, 1, &b), VTI_E_NEEDS);
+    }
+    const int64_t nothing[] = {1, INT64_C(1) << (VTI_QUANTITY_SPIN_LOW + 1), INT64_C(1) << 40, INT64_MIN};
+    for (int k = 0; k < 4; ++k) {
+        own.needs = nothing[k] | 1 << VTI_QUANTITY_X;
+        assert_int_equal(vti_effects_check(&own, 1, &b, &fault), VTI_E_NEEDS);
+        assert_true(fault.body == 0 && fault.quantity == VTI_QUANTITY_NONE);
+    }
+}
+
 /** A quaternion serves whoever needs an attitude, and alpha serves whoever says quaternion. */
 TEST(attitudes)
 {
@@ -171,6 +198,7 @@ TEST(gives)
     }
 }
 
-RUN_TESTS(cmocka_unit_test_setup(refused_by_one_place, sound), cmocka_unit_test_setup(attitudes, sound),
-          cmocka_unit_test_setup(of_nothing, sound), cmocka_unit_test_setup(no_bodies, sound),
-          cmocka_unit_test_setup(books, sound), cmocka_unit_test_setup(gives, sound))
+RUN_TESTS(cmocka_unit_test_setup(refused_by_one_place, sound), cmocka_unit_test_setup(what_few_need, sound),
+          cmocka_unit_test_setup(attitudes, sound), cmocka_unit_test_setup(of_nothing, sound),
+          cmocka_unit_test_setup(no_bodies, sound), cmocka_unit_test_setup(books, sound),
+          cmocka_unit_test_setup(gives, sound))
