@@ -77,7 +77,16 @@ typedef struct vti_drifted {
 
 /** One line of physics. A scene holds an array of those that it calls for; what is not in the array does not exist. The
  *  object behind self stays the caller's; what changes as time goes on (history, booked energies) is memory of the
- *  caller's that it points to. Members are named in initialisers, and what is not named is absent, is off and costs
+ *  caller's that it points to.
+ *
+ *  Numbers, stiffnesses and lists of the object are read at each call. What the effect says of itself (needs, gives,
+ *  smooth, breaks, terms, books, whether it carries) is made of what the parameters are when it is made, by
+ *  vti_bonds_effect and its like. Make it again when a term appears or goes (bonds get a stiffness; drag, dashpots or
+ *  friction get a coefficient of a motion that had none), when the form of shear changes, when walls begin to move or
+ *  have another direction, and when lost, work or by_body is other memory. Until then vti_energy, vti_booked and calls of
+ *  steps go by what it was; where bodies lack what a new term reads, the effect's check refuses it (VTI_E_NEEDS).
+ *
+ *  Members are named in initialisers, and what is not named is absent, is off and costs
  *  nothing: {.name = "magnet", .apply = pull, .self = &magnet}. */
 typedef struct vti_effect {
     const char *name; /**< what it is called */

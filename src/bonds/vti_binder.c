@@ -111,9 +111,12 @@ int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b, int64_t reads)
     return p->shear.p != NULL && !vti_bonds_form_is_known(p) ? VTI_E_BOND : VTI_OK;
 }
 
+/** The terms may be others too: what the effect needs was said of those that it had. */
 static int check(const void *self, const vti_bodies *b)
 {
-    return vti_bonds_ready(self, b, 0);
+    const int64_t lacks =
+        (vti_has(&b->x) ? 0 : 1 << VTI_QUANTITY_X) | (vti_has_attitude(b) ? 0 : 1 << VTI_QUANTITY_ALPHA);
+    return (needs_of(self) & lacks) != 0 ? VTI_E_NEEDS : vti_bonds_ready(self, b, 0);
 }
 
 /** r of bond k over L0 where the bodies are; 1 if it does not matter. */

@@ -216,7 +216,7 @@ static void book(const vti_walls *p, int64_t w, const vti_bodies *b, double t, i
 static void carry(const void *self, const vti_bodies *b, const vti_drifted *drifted)
 {
     const vti_walls *p = self;
-    for (int64_t w = 0; w < vti_faces(p); ++w) {
+    for (int64_t w = 0; p->motion != NULL && w < vti_faces(p); ++w) { /* they may have come to stand */
         vti_wall_motion *const m = &p->motion[w];
         if (vti_dot(m->velocity, m->velocity) == 0.0)
             continue;

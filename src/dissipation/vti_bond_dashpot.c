@@ -159,6 +159,12 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
         visit_bonds(p->bonds, drift, p->by_body == NULL ? flow_colour : flow_singly, &s);
 }
 
+/** Whether they turn bodies. */
+static int turns(const vti_bond_dashpots *p)
+{
+    return p->bending > 0.0 || p->twisting > 0.0 || (p->zeta > 0.0 && p->bonds->moment.p != NULL);
+}
+
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_bond_dashpots *p = self;
@@ -168,6 +174,8 @@ static int check(const void *self, const vti_bodies *b)
             return VTI_E_DAMPING;
     if (p->lost == NULL)
         return VTI_E_NULL;
+    if (turns(p) && !vti_has(&b->omega))
+        return VTI_E_NEEDS;
     const int64_t reads = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS;
     const int status = vti_bonds_ready(p->bonds, b, reads);
     return status != VTI_OK ? status : vti_inertia_check(b);
@@ -180,8 +188,7 @@ vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)
     const vti_bond_dashpots *p = dashpots;
     if (p == NULL || p->lost == NULL || p->bonds == NULL)
         return vti_effect_none();
-    const int turns = p->bending > 0.0 || p->twisting > 0.0 || (p->zeta > 0.0 && p->bonds->moment.p != NULL);
-    const int spins = turns || p->shear > 0.0 || (p->zeta > 0.0 && p->bonds->shear.p != NULL);
+    const int spins = turns(p) || p->shear > 0.0 || (p->zeta > 0.0 && p->bonds->shear.p != NULL);
     const vti_effect effect = {.name = "bond_dashpot",
                                .check = check,
                                .springs = vti_springs_none,
@@ -189,7 +196,7 @@ vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)
                                .flow_clumps = flow_joints,
                                .self = p,
                                .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
-                                        (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
+                                        (turns(p) ? 1 << VTI_QUANTITY_OMEGA : 0),
                                .smooth = 1,
                                .settles = 1,
                                .breaks = spins ? VTI_BREAKS_SPINS : 0,

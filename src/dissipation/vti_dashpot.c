@@ -296,6 +296,17 @@ double vti_dashpots_zeta(double e, int64_t pull)
 /** Of both bodies of a pair, whatever the motion. */
 static const int64_t needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS;
 
+/** Whether they turn bodies, and whether they brake what slides. */
+static int turns(const vti_dashpots *p)
+{
+    return p->rolling > 0.0 || p->twisting > 0.0;
+}
+
+static int slides(const vti_dashpots *p)
+{
+    return p->tangential > 0.0 || p->ratio > 0.0;
+}
+
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_dashpots *p = self;
@@ -307,6 +318,8 @@ static int check(const void *self, const vti_bodies *b)
         good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
     if (!good)
         return VTI_E_DAMPING;
+    if (turns(p) && !vti_has(&b->omega))
+        return VTI_E_NEEDS;
     if (p->lost == NULL)
         return VTI_E_NULL;
     const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
@@ -320,23 +333,22 @@ vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
     const vti_dashpots *p = dashpots;
     if (p == NULL || p->lost == NULL || (p->contacts == NULL && p->walls == NULL))
         return vti_effect_none();
-    const int turns = p->rolling > 0.0 || p->twisting > 0.0, slides = p->tangential > 0.0 || p->ratio > 0.0;
-    int64_t breaks = turns || slides ? VTI_BREAKS_SPINS : 0;
+    const int rubs = turns(p) || slides(p);
+    int64_t breaks = rubs ? VTI_BREAKS_SPINS : 0;
     if (p->walls != NULL)
-        breaks |= turns || slides ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS
-                                  : vti_walls_effect(p->walls).breaks;
+        breaks |= rubs ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS : vti_walls_effect(p->walls).breaks;
     const vti_effect effect = {.name = "dashpot",
                                .check = check,
                                .springs = vti_springs_none,
                                .flow = flow,
                                .flow_clumps = vti_dashpots_flow_joints,
                                .self = p,
-                               .needs = needs | (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
+                               .needs = needs | (turns(p) ? 1 << VTI_QUANTITY_OMEGA : 0),
                                .breaks = breaks,
                                .dissipates = 1,
                                .books = p->twisting > 0.0  ? 4
                                         : p->rolling > 0.0 ? 3
-                                        : slides           ? 2
+                                        : slides(p)        ? 2
                                                            : 1,
                                .book = book,
                                .booked = p->lost,

@@ -222,11 +222,24 @@ static int are_good(const vti_scalars *s, const vti_bodies *b)
     return good;
 }
 
+static int slows(const vti_drag *p)
+{
+    return p->linear.p != NULL || p->quadratic.p != NULL;
+}
+
+/** Whether what it slows now is there. */
+static int has_needs(const vti_drag *p, const vti_bodies *b)
+{
+    return (!slows(p) || (vti_has(&b->v) && b->mass.p != NULL)) && (p->angular.p == NULL || vti_has(&b->omega));
+}
+
 /** One value for all is looked at; arrays, where the library was built to look, are if they are long enough. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_drag *p = self;
     const vti_scalars *const all[] = {&p->linear, &p->quadratic, &p->angular};
+    if (!has_needs(p, b))
+        return VTI_E_NEEDS;
     int good = isfinite(p->medium[0]) && isfinite(p->medium[1]) && isfinite(p->medium[2]);
     for (int k = 0; k < 3; ++k) {
         if (all[k]->p != NULL && vti_ends_before(all[k], b->first + b->count - 1))
@@ -247,23 +260,23 @@ vti_effect vti_drag_effect(const vti_drag *drag)
     const int64_t force = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS, moment = 1 << VTI_QUANTITY_OMEGA;
     if (drag == NULL || drag->lost == NULL)
         return vti_effect_none();
-    const int slows = drag->linear.p != NULL || drag->quadratic.p != NULL, turns = drag->angular.p != NULL;
+    const int pushes = slows(drag), turns = drag->angular.p != NULL;
     const vti_effect effect = {.name = "drag",
                                .check = check,
                                .springs = vti_springs_none,
                                .flow = flow,
                                .flow_clumps = flow_spheres,
                                .self = drag,
-                               .needs = (slows ? force : 0) | (turns ? moment : 0),
+                               .needs = (pushes ? force : 0) | (turns ? moment : 0),
                                .smooth = 1,
                                .settles = 1,
-                               .breaks = (slows ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR : 0) |
+                               .breaks = (pushes ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR : 0) |
                                          (turns ? VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS : 0),
                                .dissipates = 1,
-                               .books = slows + turns,
-                               .book = book + !slows,
-                               .booked = drag->lost + !slows,
-                               .by_body = drag->by_body != NULL ? drag->by_body + !slows : NULL,
+                               .books = pushes + turns,
+                               .book = book + !pushes,
+                               .booked = drag->lost + !pushes,
+                               .by_body = drag->by_body != NULL ? drag->by_body + !pushes : NULL,
                                .of_body = VTI_DRAG_BOOKS};
     return effect;
 }

@@ -135,6 +135,79 @@ TEST(bonds_are_refused)
     assert_int_equal(vti_apply(&effect, 1, &b), VTI_E_NULL);
 }
 
+/** Says of the effect what it says where something is absent. */
+static void refuses(const vti_effect *effect, int absent)
+{
+    const vti_bodies all = without(0), b = without(absent);
+    assert_int_equal(vti_effects_check(effect, 1, &all, NULL), VTI_OK);
+    assert_int_equal(vti_effects_check(effect, 1, &b, NULL), VTI_E_NEEDS);
+    assert_int_equal(vti_apply(effect, 1, &b), VTI_E_NEEDS);
+    assert_int_equal(vti_effects_flow(effect, 1, 0.1, 0.1, &b), VTI_E_NEEDS);
+}
+
+/** Effects that were made before a term of theirs was there are refused by bodies that lack what it reads. */
+TEST(terms_that_come_later)
+{
+    rng g = rng_seed(43);
+    web w;
+    vti_sum lost[4] = {{0, 0}};
+    const double one = 1;
+    crowd_clear(&c, 3, CROWD_ALPHA);
+    crowd_scatter(&c, &g, 1, 0.3);
+    const int64_t count = web_grow(&w, &g, &c, 1, 1, 5);
+    web_terms(&w, count, 0, VTI_SHEAR_OBJECTIVE);
+    const vti_effect bonds = vti_bonds_effect(&w.bonds);
+    for (int terms = 1; terms < 8; ++terms) {
+        web_terms(&w, count, terms, VTI_SHEAR_OBJECTIVE);
+        if (terms & (MOMENT | SHEAR))
+            refuses(&bonds, NO_ATTITUDE);
+        if (terms & (AXIAL | SHEAR))
+            refuses(&bonds, NO_X);
+    }
+    vti_drag drag = {.lost = lost};
+    const vti_effect slows = vti_drag_effect(&drag);
+    drag.angular = vti_scalars_one(&one);
+    refuses(&slows, NO_INERTIA);
+    drag = (vti_drag){.lost = lost, .quadratic = vti_scalars_one(&one)};
+    refuses(&slows, NO_MASS);
+    vti_bond_dashpots brakes = {.bonds = &w.bonds, .zeta = 0.1, .lost = lost};
+    web_terms(&w, count, AXIAL, VTI_SHEAR_OBJECTIVE);
+    const vti_effect braked = vti_bond_dashpots_effect(&brakes);
+    brakes.bending = 1;
+    refuses(&braked, NO_INERTIA);
+    brakes.bending = 0;
+    web_terms(&w, count, AXIAL | MOMENT, VTI_SHEAR_OBJECTIVE);
+    refuses(&braked, NO_INERTIA);
+    const vti_contacts none = {.diameter = vti_scalars_one(&one), .stiffness = 1};
+    vti_dashpots dashpots = {.contacts = &none, .zeta = 0.1, .reach = 1, .lost = lost};
+    const vti_effect damps = vti_dashpots_effect(&dashpots);
+    dashpots.rolling = 1;
+    refuses(&damps, NO_INERTIA);
+}
+
+/** Walls that moved when the effect was made, and have no motion any more, stand still. */
+TEST(walls_that_come_to_stand)
+{
+    const double diameter = 3, plane[4] = {0, 0, 1, 0};
+    vti_wall_motion motion = {.velocity = {0, 0, 1}};
+    vti_sum work = {0, 0};
+    vti_walls walls = {.count = 1,
+                       .plane = plane,
+                       .diameter = vti_scalars_one(&diameter),
+                       .stiffness = 5,
+                       .motion = &motion,
+                       .work = &work};
+    const vti_effect effect = vti_walls_effect(&walls);
+    const vti_drifted drifted = {.t = 1, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
+    crowd_clear(&c, 3, CROWD_ALPHA);
+    const vti_bodies b = without(0);
+    assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+    assert_true(motion.moved[2] == 1);
+    walls.motion = NULL;
+    assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+    assert_true(motion.moved[2] == 1);
+}
+
 static int applied;
 
 static void count_calls(const void *self, const vti_bodies *b)
@@ -201,5 +274,6 @@ TEST(contacts_are_looked_at_again)
 }
 
 RUN_TESTS(cmocka_unit_test(effects_need_what_they_read), cmocka_unit_test(no_walls),
-          cmocka_unit_test(bonds_are_refused), cmocka_unit_test(others_may_refuse),
+          cmocka_unit_test(bonds_are_refused), cmocka_unit_test(terms_that_come_later),
+          cmocka_unit_test(walls_that_come_to_stand), cmocka_unit_test(others_may_refuse),
           cmocka_unit_test(contacts_are_looked_at_again))
