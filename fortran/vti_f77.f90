@@ -37,7 +37,7 @@ subroutine vtistp(name, m, ier)
     if (m > 0) ier = VTI_OK
 end subroutine
 
-!> TEXT = one sentence for the status IER, cut off at its length.
+!> TEXT = one sentence for the status IER, cut off at its length; 400 characters have room for any.
 subroutine vtitxt(ier, text)
     use vti
     implicit none

@@ -104,7 +104,7 @@ enum vti_status {
     /** @endcond */
 };
 
-/** One English sentence for a status, remedy included; never NULL. */
+/** One English sentence for a status, remedy included, of at most 400 characters; never NULL. */
 VTI_API const char *vti_status_text(int status);
 
 #ifdef __cplusplus

@@ -55,7 +55,7 @@ C     The forces, here those of the library's binder, before and after, so that 
 
       SUBROUTINE MUST(IER, IBODY)
       INTEGER IER, IBODY
-      CHARACTER*120 TEXT
+      CHARACTER*400 TEXT
       IF (IER .EQ. 0) RETURN
       CALL VTITXT(IER, TEXT)
       WRITE (*,*) 'particle or bond ', IBODY, ': ', TEXT
