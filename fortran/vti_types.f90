@@ -142,7 +142,8 @@ module vti_types
     !> an integer(c_int), VTI_OK if all is well, that calls vti_show_spring(visit, context, spring) for each of its
     !> springs; type(c_ptr), value :: at, context (at is null or the address of a vti_deformation); type(c_funptr),
     !> value :: visit. Without springs an effect has no bound on the step; c_funloc(vti_springs_none) says that its
-    !> force does not change with position.
+    !> force does not change with position. needs to of_body are what the parameters were when the effect was made: make
+    !> it again when a term appears or goes, or walls begin to move.
     type, bind(c) :: vti_effect
         type(c_ptr) :: name = c_null_ptr
         type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr, &
