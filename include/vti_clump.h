@@ -21,10 +21,11 @@ typedef struct vti_solid {
 
 /** Mass, centre and moments of n spheres centre[n][3], diameter[n], of one density, counted once where they overlap
  *  (EQUATIONS 7.5). A sphere that overlaps no other: exactly. Others: along lines parallel to z, exact on each, lines by
- *  lines of them over its own box; 256 are good for 1e-4. Time grows with lines^2 n k, k being how many overlap one
- *  sphere, and n where that is more than 128. VTI_E_CLUMP, with fault->body the sphere, for a diameter that is not
- *  positive or a number that is not finite, and with -1 where moments are beyond the range of numbers; VTI_E_MASS for such
- *  a density or mass; VTI_E_COUNT for no spheres or no lines. */
+ *  lines of them over its own box; 256 are good for 1e-4. That holds for each moment, however far the spheres are
+ *  spread. Time grows with lines^2 n k, k being how many overlap one sphere, and n where that is more than 128; it
+ *  doubles where a moment is below 2^-10 of the largest. VTI_E_CLUMP, with fault->body the sphere, for a diameter that
+ *  is not positive or a number that is not finite, and with -1 where moments are beyond the range of numbers; VTI_E_MASS
+ *  for such a density or mass; VTI_E_COUNT for no spheres or no lines. */
 VTI_API int vti_clump_solid(int64_t n, const double *centre, const double *diameter, double density, int64_t lines,
                             vti_solid *solid, vti_fault *fault);
 

@@ -230,6 +230,41 @@ TEST(pairs_far_apart)
     }
 }
 
+/** A dumb-bell of two spheres far apart, along any axis, turns about that axis as the two do by themselves, m D^2/10
+ *  each; and a long one of overlapping pairs as one pair turns about the line through both. */
+TEST(thin)
+{
+    rng g = rng_seed(4209);
+    for (int trial = 0; trial < 60; ++trial) {
+        const double a = pow(10, 2 + trial % 11), d = uniform(&g, 0.5, 2), diameter[2] = {d, d};
+        double axis[3], centre[2][3], found[3];
+        random_unit(&g, 3, axis);
+        random_vector(&g, 1, centre[0]);
+        for (int k = 0; k < 3; ++k)
+            centre[1][k] = centre[0][k] + (trial < 11 ? k == trial % 3 : axis[k]) * a;
+        make(2, centre[0], diameter, 3, 8);
+        const double m = sphere_mass(3, d), own = 0.2 * m * d * d, far = own + 0.5 * m * a * a;
+        assert_close(solid.moments[0], own, 1e-12 * own + m * pow(8 * EPS * a, 2)); /* what rounding puts beside it */
+        for (int k = 1; k < 3; ++k)
+            assert_close(solid.moments[k], far, 1e-10 * far);
+        const double e[3] = {1, 0, 0};
+        vti_pair_rotate(solid.principal, 1, e, found);
+        double across[3],
+            along[3] = {centre[1][0] - centre[0][0], centre[1][1] - centre[0][1], centre[1][2] - centre[0][2]};
+        vti_cross(found, along, across);
+        assert_true(vti_norm(across) <= 16 * EPS * a);
+        check_frame();
+    }
+    double volume, along, across;
+    closed_form(0.5, 0.25, &volume, &along, &across);
+    for (double a = 1e2; a < 1e9; a *= 10) { /* two of them beside each other, along an axis that is none of x, y, z */
+        const double diameter[4] = {1, 1, 1, 1}, u = a * 0.6, w = a * 0.8;
+        const double centre[4][3] = {{0, 0, 0}, {0, 0.5, 0}, {u, 0, w}, {u, 0.5, w}};
+        make(4, centre[0], diameter, 1, 256);
+        assert_close(solid.moments[0], 2 * across, 1e-3 * across);
+    }
+}
+
 /** A sphere that n equal ones in a row overlap: n balls without the lenses between two that follow each other, whichever
  *  stands where in the list, and more of them than the code keeps in mind. */
 TEST(rows)
@@ -294,5 +329,5 @@ TEST(refused)
 
 RUN_TESTS(cmocka_unit_test(one_sphere), cmocka_unit_test(disjoint_spheres), cmocka_unit_test(tetrapod),
           cmocka_unit_test(overlapping_pair), cmocka_unit_test(pieces), cmocka_unit_test(spheres_inside),
-          cmocka_unit_test(frames), cmocka_unit_test(pairs_far_apart), cmocka_unit_test(rows),
+          cmocka_unit_test(frames), cmocka_unit_test(pairs_far_apart), cmocka_unit_test(thin), cmocka_unit_test(rows),
           cmocka_unit_test(refused))
