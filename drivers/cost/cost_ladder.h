@@ -67,9 +67,11 @@ struct cost_ladder {
 enum { COST_ATTITUDE, COST_POSITION, COST_VELOCITY, COST_ENERGY, COST_MEASURES };
 
 /** What tells how far off a scene's runs are: the attitude, or the velocity where nothing but the paper's own rotation
- *  has an error in it (model_twists). */
+ *  has an error in it (model_twists); the position where velocities are exact too (model_only_slows). */
 static inline int cost_main_measure(const struct model *model)
 {
+    if (model_only_slows(model))
+        return COST_POSITION;
     return model_twists(model) || (model->turns && !model->translates) ? COST_ATTITUDE : COST_VELOCITY;
 }
 

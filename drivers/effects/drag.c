@@ -5,7 +5,6 @@
  *     c = 3 pi viscosity D,     c_r = pi viscosity D^3,     k = pi/8 C_D density D^2 */
 #include <stdlib.h>
 
-#include "inertia.h"
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
@@ -206,43 +205,66 @@ static double coefficient_of(const vti_scalars *c, int64_t s)
     return c->p != NULL ? c->p[s * c->stride] : 0.0;
 }
 
-/** (c + 2k|u|)/m of the body of sphere s, u being its velocity as of now against the medium. */
-static double slowing_of_way(const vti_drag *drag, const vti_bodies *b, int64_t s, int64_t i)
+/** |u| against the medium as of now, of body s or sphere s; 0 of bodies that do not translate. */
+static double speed_of(const vti_drag *drag, const vti_bodies *feels, int64_t s)
 {
     double u[3];
-    if (drag->linear.p == NULL && drag->quadratic.p == NULL)
-        return 0.0;
-    for (int k = 0; k < 3; ++k)
-        u[k] = b->v.c[k][i * b->v.stride] - drag->medium[k];
-    return (coefficient_of(&drag->linear, s) + 2.0 * coefficient_of(&drag->quadratic, s) * vti_norm(u)) /
-           b->mass.p[i * b->mass.stride];
+    for (int k = 0; k < 3 && feels->v.c[0] != NULL; ++k)
+        u[k] = feels->v.c[k][s * feels->v.stride] - drag->medium[k];
+    return feels->v.c[0] != NULL ? vti_norm(u) : 0.0;
 }
 
-/** c_r/J of it, by its least moment of inertia. */
-static double slowing_of_turn(const vti_drag *drag, const vti_bodies *b, int64_t s, int64_t i)
+static int is_turning(const vti_bodies *b, int64_t i)
 {
-    return drag->angular.p != NULL ? coefficient_of(&drag->angular, s) / inertia_least(b, i) : 0.0;
+    int turns = 0;
+    for (int k = 0; k < 3 && b->omega.c[0] != NULL; ++k)
+        turns |= b->omega.c[k][i * b->omega.stride] != 0.0;
+    return turns;
 }
 
-/** The largest rate at which a motion that others push is slowed, of clumps by the sum over their spheres. Whatever else
- *  acts pushes bodies on; on their turns acts what gives moments. */
-static double slowing(const struct effect *e, const struct model *model)
+/** Adds (c + 2k|u|)/m to that of a way; to that of a turn, if there is one, c_r/J by the least moment of inertia, and of
+ *  a sphere of a clump what its own drag does at its arm. */
+static void add_rates(const vti_drag *drag, const struct model *model, int by_spheres, int64_t s, double speed,
+                      int moves, int turns, double rate[2])
+{
+    const double c = coefficient_of(&drag->linear, s) + 2.0 * coefficient_of(&drag->quadratic, s) * speed;
+    const struct model_inverse_mass inverse = model_inverse_mass_of(model, by_spheres, s);
+    rate[0] += moves ? c * inverse.per_mass : 0.0;
+    rate[1] += turns ? coefficient_of(&drag->angular, s) * inverse.per_inertia + c * inverse.by_turning : 0.0;
+}
+
+/** The largest rate at which a way or a turn is slowed, of clumps by the sum over their spheres: of those that others
+ *  push, or of those that there are. Whatever else acts pushes bodies on; on their turns acts what gives moments. */
+static double most_slowing(const struct effect *e, const struct model *model, int pushed)
 {
     const vti_drag *drag = &((const struct drag_self *)e->self)->drag;
     const int by_spheres = on_spheres(&model->scene->settings);
-    const int64_t count = by_spheres ? model_spheres(model)->count : model->bodies.count;
-    double most = 0.0, way = 0.0, turn = 0.0;
+    const vti_bodies *feels = by_spheres ? model_spheres(model) : &model->bodies;
+    double most = 0.0, rate[2] = {0.0, 0.0};
     int turned = 0;
     for (int64_t k = 0; k < model->effects_count; ++k)
         turned |= (model->effects[k].gives >> VTI_QUANTITY_MOMENT & 1) != 0;
-    for (int64_t s = 0, last = -1; s < count; ++s) {
+    for (int64_t s = 0, last = -1; s < feels->count; ++s) {
         const int64_t i = by_spheres ? model->clumps.list.body[s] : s; /* spheres of a body stand together */
-        way = (i == last ? way : 0.0) + slowing_of_way(drag, &model->bodies, s, i);
-        turn = (i == last ? turn : 0.0) + (turned ? slowing_of_turn(drag, &model->bodies, s, i) : 0.0);
-        most = fmax(most, fmax(way, turn));
+        const int moves = pushed || speed_of(drag, &model->bodies, i) > 0.0;
+        for (int k = 0; k < 2 && i != last; ++k)
+            rate[k] = 0.0;
+        add_rates(drag, model, by_spheres, s, speed_of(drag, feels, s), moves,
+                  pushed ? turned : is_turning(&model->bodies, i), rate);
+        most = fmax(most, fmax(rate[0], rate[1]));
         last = i;
     }
     return most;
+}
+
+static double slowing(const struct effect *e, const struct model *model)
+{
+    return most_slowing(e, model, 1);
+}
+
+static double slowing_free(const struct effect *e, const struct model *model)
+{
+    return most_slowing(e, model, 0);
 }
 
 static void destroy(struct effect *e)
@@ -265,4 +287,5 @@ const struct effect_kind effect_drag = {.number = EFFECT_drag,
                                         .make = make,
                                         .destroy = destroy,
                                         .slowing = slowing,
+                                        .slowing_free = slowing_free,
                                         EFFECT_TERMS(terms)};

@@ -227,8 +227,10 @@ struct effect_kind {
     double (*missed)(const struct effect *e, const struct effect_way *way);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
-    /** The largest rate, 1/time, at which it slows a body. */
+    /** The largest rate, 1/time, at which it slows a motion that others push. */
     double (*slowing)(const struct effect *e, const struct model *model);
+    /** The same of motions that there are, be they pushed or not. NULL: it slows none that nothing pushes. */
+    double (*slowing_free)(const struct effect *e, const struct model *model);
     /** Which overlapping pairs are in contact: enum effect_touch. NULL: it has no contact between bodies. */
     int (*touching)(const struct effect *e);
     /** Whether its stiffness follows from the bodies' materials, columns young and poisson of their table. NULL: it does

@@ -230,6 +230,17 @@ int model_twists(const struct model *model)
     return any;
 }
 
+int model_only_slows(const struct model *model)
+{
+    int slows = 0, pushes = 0;
+    for (int64_t k = 0; k < model->effects_count; ++k) {
+        const vti_effect *e = &model->effects[k];
+        pushes |= e->apply != NULL;
+        slows |= e->flow != NULL && (e->needs & 1 << VTI_QUANTITY_V) != 0;
+    }
+    return slows && !pushes;
+}
+
 int model_breaks(const struct model *model)
 {
     int any = 0;

@@ -91,6 +91,10 @@ const vti_effect *model_dissipates(const struct model *model);
  *  friction leave Omega as it is, and attitudes exact, whatever they do to positions. */
 int model_twists(const struct model *model);
 
+/** Whether nothing pushes or turns the bodies, and a medium slows their ways: velocities are exact then, whatever the
+ *  step, and positions tell what steps err by. */
+int model_only_slows(const struct model *model);
+
 /** Whether something in it may break. */
 int model_breaks(const struct model *model);
 

@@ -26,6 +26,7 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {MEMBER(verdict, 
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
 static const double much_slowing = 0.8; /* z of a drift: bodies settle by 5 % too fast */
+static const double much_of_way = 0.05; /* of the ways of what is only slowed: z = 1.12 between half kicks */
 static const double much_rounding = 1e-3; /* of the way of a step */
 static const double most_travel = 1.0;    /* two bodies may pass through each other unseen */
 
@@ -49,6 +50,13 @@ static int passes(const struct verdict *v)
     return v->found.travel > most_travel && v->model->scene->tolerance == 0.0;
 }
 
+/** Of what nothing pushes, whose velocities are right; what is pushed as well settles too fast before that. */
+static double way_error(const struct verdict *v)
+{
+    const struct findings *f = &v->found;
+    return f->slowing_free > f->slowing ? stability_way_error(v->stepper, f->slowing_free) : 0.0;
+}
+
 static int64_t grade(const struct verdict *v, const struct judgement *j, int broken)
 {
     const struct findings *f = &v->found;
@@ -56,7 +64,8 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN * verdict_scale(f) || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
-                         f->slowing > much_slowing || f->deepest > VERDICT_MUCH_OVERLAP || f->rounding > much_rounding;
+                         way_error(v) > much_of_way || f->slowing > much_slowing || f->deepest > VERDICT_MUCH_OVERLAP ||
+                         f->rounding > much_rounding;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -120,6 +129,11 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
             f->deepest);
     if (f->slowing > much_slowing)
         SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", f->slowing);
+    if (way_error(v) > much_of_way)
+        SAY("; h is %.3g times the time m/c in which drag slows a body: ways and angles of what is only slowed are up "
+            "to "
+            "%.2g of themselves off; %s",
+            f->slowing_free, way_error(v), remedy(v));
     if (f->rounding > much_rounding)
         SAY("; bodies are so far from the origin that rounding takes up to %.2g of their way in a step: move it nearer",
             f->rounding);
@@ -140,7 +154,7 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
     j.angle_error = turning_error(v->stepper, f->rotation);
     j.stable_step = f->stable;
     j.overlap = f->deepest;
-    j.slowing = f->slowing;
+    j.slowing = fmax(f->slowing, f->slowing_free);
     int64_t k = 0;
     for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL;)
         j.bonds_turned += e->kind->watch->turned(e);

@@ -5,18 +5,48 @@
 #include "far.h"
 #include "verdict_parts.h"
 
+/** As a share of the step. */
+static double longest_drift(const vti_stepper *stepper)
+{
+    double most = stepper->drift == NULL ? 1.0 : 0.0;
+    for (int64_t k = 0; stepper->drift != NULL && k <= stepper->stages; ++k)
+        most = fmax(most, fabs(stepper->drift[k]));
+    return most;
+}
+
 double stability_slowing(const struct model *model, const vti_stepper *stepper, double h)
 {
-    double most = 0.0, drift = stepper->drift == NULL ? 1.0 : 0.0;
+    double most = 0.0;
     int pushes = 0;
-    for (int64_t k = 0; stepper->drift != NULL && k <= stepper->stages; ++k)
-        drift = fmax(drift, fabs(stepper->drift[k]));
     for (int64_t k = 0; k < model->instances_count; ++k) {
         const struct effect *e = &model->instances[k];
         pushes |= model->effects[k].apply != NULL;
         most = e->kind->slowing != NULL ? fmax(most, e->kind->slowing(e, model)) : most;
     }
-    return pushes ? most * drift * h : 0.0;
+    return pushes ? most * longest_drift(stepper) * h : 0.0;
+}
+
+double stability_slowing_free(const struct model *model, const vti_stepper *stepper, double h)
+{
+    double most = 0.0;
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
+        most = e->kind->slowing_free != NULL ? fmax(most, e->kind->slowing_free(e, model)) : most;
+    }
+    return most * longest_drift(stepper) * h;
+}
+
+double stability_way_error(const vti_stepper *stepper, double z)
+{
+    const double whole = z / longest_drift(stepper);
+    double way = 0.0, kicked = 0.0;
+    if (stepper->drift == NULL || !(z > 0.0))
+        return 0.0;
+    for (int64_t k = 0; k <= stepper->stages; ++k) {
+        kicked += stepper->kick[k];
+        way += stepper->drift[k] * exp(-kicked * whole);
+    }
+    return fabs(way * whole / -expm1(-whole) - 1.0);
 }
 
 /* ---- at rows ----------------------------------------------------------------------------------------------------- */
@@ -82,6 +112,7 @@ void stability_row(struct verdict *v, double t, const vti_bodies *bodies, const 
     if (!(is_looked_at(f->rows) || pressed))
         return;
     f->slowing = fmax(f->slowing, stability_slowing(v->model, v->stepper, v->h)); /* bonds may have been made */
+    f->slowing_free = fmax(f->slowing_free, stability_slowing_free(v->model, v->stepper, v->h));
     const double h = find_stable_step(v, t, bodies);
     f->share = fmax(f->share, f->longest / (f->varies != 0.0 ? fmax(h, f->before) : h));
     f->before = h;

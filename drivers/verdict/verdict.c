@@ -56,6 +56,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     v->h = h;
     v->diameter = smallest_diameter(model);
     v->found.slowing = stability_slowing(model, stepper, h);
+    v->found.slowing_free = stability_slowing_free(model, stepper, h);
     for (int64_t k = 0; k < model->instances_count; ++k)
         v->touches |= model->instances[k].kind->deepest != NULL;
     v->meet = model_surfaces(model).contacts != NULL && model->bodies.count > 1;

@@ -94,7 +94,8 @@ struct findings {
     double share;           /* of the stable step, the largest */
     double deepest;         /* the largest overlap at a look, as a share of the contact's length */
     double force2;          /* the square of the largest force on a body at a look between rows */
-    double slowing; /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
+    double slowing;      /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
+    double slowing_free; /* the same of drag, of what moves, be it pushed or not */
     double rounding, fastest; /* verdict_rounding, the largest; the largest speed along an axis */
     struct trend trend;
 };

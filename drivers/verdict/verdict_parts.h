@@ -16,6 +16,12 @@ struct effect *verdict_next_watch(const struct model *model, int64_t *k);
 /** The largest rate at which something slows bodies that others push, times the longest drift: steps see such a push in
  *  whole kicks, and what comes to a steady speed moves (z/2) coth(z/2) times as fast (EQUATIONS 6.3). */
 double stability_slowing(const struct model *model, const vti_stepper *stepper, double h);
+/** The same of what moves, be it pushed or not. */
+double stability_slowing_free(const struct model *model, const vti_stepper *stepper, double h);
+/** By what share of themselves the ways and angles of what nothing pushes are wrong, whose velocities are exact, at z =
+ *  c t/m of the longest drift: flows go with kicks, so that drifts see the velocities of their starts alone. Of one drift
+ *  between half kicks it is 1 - (z/2)/sinh(z/2), of one behind a whole kick 1 - z/(exp z - 1). */
+double stability_way_error(const vti_stepper *stepper, double z);
 /** The largest overlap with each other or with walls. */
 double stability_deepest(const struct model *model, const vti_bodies *bodies);
 /** At a row: the stable step, where it is due, and the largest share of it that steps took. */

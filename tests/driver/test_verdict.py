@@ -41,6 +41,8 @@ SPIN = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [10, 0, 0]}\nh: 1\nt_end: 
 
 
 SETTLE = "bodies: {x: [0, 0, 0], v: [0, 0, 0], mass: 1}\ndrag: {linear: 100}\ngravity: [0, 0, -1]\nh: 0.001\nt_end: 1\n"
+WAYS = "bodies: {x: [0, 0, 0], v: [1, 0, 0], mass: 1}\ndrag: {linear: 20}\nh: 0.5\nt_end: 5\n"
+TURNS = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [1, 0, 0]}\ndrag: {angular: 20}\nh: 0.5\nt_end: 5\n"
 PRESS = """bodies: {x: [0, 0, 0], v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 0], mass: 1, diameter: 1}
 wall: {stiffness: 1e4, planes: [[0, 0, 1, -0.5], [0, 0, -1, -0.5]], velocities: [[0, 0, 0], [0, 0, -0.002]]}
 h: 6e-3
@@ -90,6 +92,30 @@ def pushed(base):
     _, lines, found = verdict(base, f"{base}/press.yaml")
     check(found["verdict"].decode() == "good", f"pressed slowly between two planes: {lines[-1]}")
     check(found["energy_scale"] > 1.0, "the walls' energy counts")
+
+
+def slowed(base):
+    """What nothing pushes is slowed as it should be by any h, and its ways and angles, sums of velocities in the middle of steps,
+    are not: (z/2)/sinh(z/2) of themselves, or z/(exp(z) - 1) where the kick is whole, and chin4's velocities are those of a sixth
+    and of five sixths of the step."""
+    halves, whole = (lambda z: z / 2 / numpy.sinh(z / 2)), (lambda z: z / numpy.expm1(z))
+    sixths = (lambda z: z / 2 * numpy.cosh(z / 3) / numpy.sinh(z / 2))
+    for stepper, h, law, word in (("vti2", 0.5, halves, "doubtful"), ("vti2", 0.06, halves, "doubtful"), ("exact", 0.05, halves, "good"),
+                                  ("vti3", 0.0055, whole, "doubtful"), ("vti3-leapfrog", 0.0045, whole, "good"),
+                                  ("chin4", 0.5, sixths, "doubtful"), ("chin4", 0.05, sixths, "good")):
+        for scene in ("ways", "turns"):
+            _, lines, found = verdict(base, f"{base}/{scene}.yaml", "--stepper", stepper, "--h", str(h), "--t-end", str(100 * h))
+            with h5py.File(f"{base}/out.h5") as file:
+                data = file["VTKHDF"]
+                w, x = data["PointData/attitude_wxyz"][-1][:2] if scene == "turns" else (1, 0)
+                way = 2 * numpy.arctan2(x, w) if scene == "turns" else data["Points"][-1][0]
+            wrong, z = abs(1 - law(20 * h)), 20 * h * (0.5 if stepper == "chin4" else 1)
+            check(abs(way / (0.05 * law(20 * h)) - 1) < 1e-2, f"{scene} by {stepper} at h = {h}: {way:.4g} is {law(20 * h):.3f} of 0.05")
+            check(abs(found["slowing"] / z - 1) < 1e-9, f"z is {found['slowing']:.3g}")
+            check(found["verdict"].decode() == word and (f"are up to {wrong:.2g} of themselves off" in lines[-1]) == (word != "good"),
+                  f"... which is said: {lines[-1]}")
+    _, lines, found = verdict(base, f"{base}/ways.yaml", "--h", "0.5", "--set", "bodies.v=[0,0,0]")
+    check(found["verdict"] == b"good" and found["slowing"] == 0, f"nothing moves: {lines[-1]}")
 
 
 def damped(base):
@@ -192,7 +218,7 @@ def varied(base):
 
 with tempfile.TemporaryDirectory() as root:
     for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("slow.yaml", SLOW), ("spin.yaml", SPIN),
-                       ("settle.yaml", SETTLE), ("press.yaml", PRESS), ("slide.yaml", SLIDE), ("creep.yaml", CREEP),
+                       ("settle.yaml", SETTLE), ("ways.yaml", WAYS), ("turns.yaml", TURNS), ("press.yaml", PRESS), ("slide.yaml", SLIDE), ("creep.yaml", CREEP),
                        ("creep.csv", "x,y,z,vx,vy,vz\n0,0,0,0,0,0\n1.1,0,0,0,0,0\n"),
                        ("bonds.csv", "i,j,length,nx,ny,nz,turn_x,turn_y,turn_z,turn_w\n1,0,1,1,0,0,0,0,0,1\n"),
                        ("fast.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n")):
@@ -200,6 +226,7 @@ with tempfile.TemporaryDirectory() as root:
             out.write(text)
     runs(root)
     pushed(root)
+    slowed(root)
     damped(root)
     resumed(root)
     study(root)

@@ -286,6 +286,14 @@ static double slowing_of(const char *bodies, const char *effects)
     return rate;
 }
 
+/** That of what moves, be it pushed or not. */
+static double slowing_free_of(const char *bodies, const char *effects)
+{
+    const double rate = verdict_of(bodies, effects, "0.5")->found.slowing_free / 0.5;
+    verdict_over();
+    return rate;
+}
+
 /** c/m by hand; the impulse that meets a clump's sphere turns the clump too. */
 TEST(slowed)
 {
@@ -336,6 +344,26 @@ TEST(slowed)
     assert_close(slowing_of(fast, WALL "drag: {linear: 7, quadratic: 3, medium: [3, 0, 0]}"),
                  (7.0 + 2.0 * 3.0 * 4.0) / 2.0, 1e-14);
     assert_close(slowing_of(one, WALL "drag: {angular: 3}"), 0.0, 0.0);
+    assert_close(slowing_free_of("mass: 2, diameter: 0.5, inertia: 0.01, x: [0, 0, 0], v: [3, 0, 4], alpha: [0, 0, 0], "
+                                 "omega: [0, 2, 0]",
+                                 "drag: {linear: 7, quadratic: 3, angular: 0.05, medium: [3, 0, 0]}"),
+                 (7.0 + 2.0 * 3.0 * 4.0) / 2.0, 1e-14);
+    assert_close(slowing_free_of("mass: 2, diameter: 0.5, inertia: 0.01, x: [0, 0, 0], v: [0, 0, 0], alpha: [0, 0, 0], "
+                                 "omega: [0, 2, 0]",
+                                 WALL "drag: {linear: 7, angular: 3}"),
+                 3.0 / 0.01, 1e-12);
+    assert_close(slowing_free_of("mass: 2, diameter: 0.5, inertia: 0.01, x: [0, 0, 0], v: [1, 0, 0], alpha: [0, 0, 0], "
+                                 "omega: [0, 0, 0]",
+                                 WALL "drag: {linear: 7, angular: 3}"),
+                 7.0 / 2.0, 1e-15);
+    assert_close(slowing_free_of(one, WALL "drag: {linear: 7, angular: 3}"), 0.0, 0.0);
+    static const char turning[] = "clumps: {spheres: [[0, 0, 0, 1], [3, 0, 0, 1]], density: 1}, x: [0, 0, 0], "
+                                  "v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 1]",
+                      going[] = "clumps: {spheres: [[0, 0, 0, 1], [3, 0, 0, 1]], density: 1}, x: [0, 0, 0], "
+                                "v: [0, 0, 5], alpha: [0, 0, 0], omega: [0, 0, 0]";
+    assert_close(slowing_free_of(turning, "drag: {linear: 3, on: spheres}"), 2.0 * 3.0 * 2.25 / across,
+                 6.0 * sqrt(EPS));
+    assert_close(slowing_free_of(going, "drag: {quadratic: 3, on: spheres}"), 2.0 * 2.0 * 3.0 * 5.0 / mass, 1e-12);
     assert_close(slowing_of("inertia: 0.01, alpha: [1, 0, 0], omega: [0, 0, 0]",
                             "pendulum: {weight: 1, rho0: [0, 0, -1]}\ndrag: {angular: 3}"),
                  3.0 / 0.01, 1e-12);
