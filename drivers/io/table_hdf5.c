@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "held.h"
 #include "number.h"
 #include "quote.h"
 #include "table_csv.h"
@@ -101,7 +102,9 @@ static int read_file(struct table *table, hid_t file, struct message *message)
 {
     char text[96];
     if (file < 0)
-        return table_fail_whole(table, message, "is not a whole HDF5 file; give one, or a table in CSV");
+        return table_fail_whole(table, message,
+                                held_is(table->path) ? HELD_TEXT ", make it anew, or give a table in CSV"
+                                                     : "is not a whole HDF5 file; give one, or a table in CSV");
     const hid_t group = H5Gopen2(file, table->kind->rows, H5P_DEFAULT);
     if (group < 0) {
         snprintf(text, sizeof text, "no group /%s; put a dataset for each column into it", table->kind->rows);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "folder.h"
+#include "held.h"
 #include "left.h"
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
@@ -47,7 +48,6 @@ static int is_text(const char *path, const struct mark *mark)
 }
 
 enum { START = 64, SIGNATURE = 8 };
-static const char hdf5[] = "\x89HDF\r\n\x1a\n";
 
 /** The file's first bytes, zeros behind its end, and how many there are; 0 if it cannot be read. */
 static size_t read_start(const char *path, char start[START])
@@ -73,25 +73,8 @@ static int is_half(const char *path, const struct mark *mark)
     if (memcmp(start, zeros, SIGNATURE) == 0)
         return 1;
     if (mark->begins == NULL)
-        return memcmp(start, hdf5, SIGNATURE) == 0;
+        return held_begins(path);
     return strncmp(start, mark->begins, size < strlen(mark->begins) ? size : strlen(mark->begins)) == 0;
-}
-
-/** Whether it is a file of HDF5 that HDF5 does not open. */
-static int is_held(const char *path)
-{
-    char start[START];
-    hid_t file = H5I_INVALID_HID;
-    if (read_start(path, start) < SIGNATURE || memcmp(start, hdf5, SIGNATURE) != 0)
-        return 0;
-    H5E_BEGIN_TRY
-    {
-        file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        if (file >= 0)
-            H5Fclose(file);
-    }
-    H5E_END_TRY;
-    return file < 0;
 }
 
 int mark_is_ours(const char *path, const struct mark *mark)
@@ -212,10 +195,10 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
                            "replace it with --force",
                            path, strerror(errno));
-    if (mark->begins == NULL && is_held(path))
+    if (mark->begins == NULL && held_is(path))
         return message_set(message,
-                           "%.600s: is there already and HDF5 does not open it: another program writes to it, or it is "
-                           "damaged; close it there, choose another place with -o, or replace it with --force",
+                           "%.600s: is there already and " HELD_TEXT
+                           ", choose another place with -o, or replace it with --force",
                            path);
     if (!mark_is_ours(path, mark))
         return message_set(message,

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "hdf5_sink.h"
+#include "held.h"
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
@@ -87,6 +88,9 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
     H5E_END_TRY;
     if (restart->identity != NULL && restart->bytes != NULL)
         return 1;
+    if (held_is(path))
+        return message_set(message,
+                           "%.600s: " HELD_TEXT ", start anew without --resume, or choose another place with -o", path);
     return message_set(
         message,
         "%.600s: holds no run that came to its end, so that none can go on; start anew without --resume, "

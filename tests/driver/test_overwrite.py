@@ -261,6 +261,16 @@ def protected(base):
     check(result.returncode == 0 and "o.dump" in contents(f"{base}/o.dump"), "... --no-dump does not take it away")
     with h5py.File(f"{base}/o.dump/o.h5", "a"):
         refused("a result that another program writes to", f"{base}/o.dump", ["o.h5", "another program", "--force", "-o"], RUN, *SPIN, "-o", "o.h5")
+        refused("... with --resume", f"{base}/o.dump", ["o.h5", "another program", "without --resume", "-o"], RUN, *SPIN, "-o", "o.h5",
+                "--resume", "--force")
+    write(f"{base}/table/t.yaml", TABLE % "t.h5")
+    with h5py.File(f"{base}/table/t.h5", "w") as file:
+        for name in ("x", "y", "z"):
+            file[f"bodies/{name}"] = [1.0]
+        file.flush()
+        for program in ([RUN], [STUDY, "--no-plot"]):
+            refused("a table that another program writes to", f"{base}/table", ["t.h5", "another program", "close it there", "CSV"],
+                    *program, "t.yaml")
 
 
 def rights(base):
