@@ -26,7 +26,8 @@ static const struct option_row rows[] = {
      "step (default: the scene's); numbers may be written 0.01, 1/64 or 2^-6"},
     {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
      "choose steps whose estimated error in velocity and spin is at most that; for srkn11, srkn14 and srkn6, and H is "
-     "then only the unit of --record and --frames; each row takes a further step, so there are about 100"},
+     "then only the unit of --record and --frames, and 2^-26 H the shortest step; each row takes a further step, so "
+     "there are about 100"},
     {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
      "integrating: steps that follow how fast bodies turn, for reversible steppers such as srkn6, whose energy keeps "
      "without drift; naive: the same without that, to compare with; H is the step at rest and the unit of --record, "

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "cut.h"
 #include "number.h"
 #include "rivals.h"
 
@@ -189,6 +190,12 @@ static int refused(const struct course *c, int status, struct message *message)
                            "%s at h = %s: t = %.6g: steps become shorter than 2^-26 h, and a run ends and is kept at "
                            "multiples of h alone; give a larger turning or tolerance, or a smaller h",
                            c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
+    if (status == RIVAL_E_SHORT)
+        return message_set(
+            message,
+            "%s at h = %s: t = %.9g: the shortest step, 2^-26 h = %.3g, errs by more than the tolerance; "
+            "give a smaller h or a larger tolerance",
+            c->rival->stepper.name, NUMBER(c->h), c->fault.value, CUT_SHORTEST * c->h);
     if (status == RIVAL_E_LATE)
         return message_set(message,
                            "%s at h = %s: t = %.6g: the next step is so short that t would stay what it is; end the "

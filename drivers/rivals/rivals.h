@@ -7,8 +7,15 @@
 
 /** Among the statuses of the core and of models: an implicit equation was not solved; bodies come to turn so much more
  *  slowly that no next step can be chosen; t is so large that the next step would not change it; a step is so much shorter
- *  than h that nobody would see the end of one of h. */
-enum { RIVAL_E_DIVERGES = -2000, RIVAL_E_SPARSE = -2001, RIVAL_E_LATE = -2002, RIVAL_E_FINE = -2003 };
+ *  than h that nobody would see the end of one of h; the shortest step, at the time fault.value, does not keep the
+ *  tolerance. */
+enum {
+    RIVAL_E_DIVERGES = -2000,
+    RIVAL_E_SPARSE = -2001,
+    RIVAL_E_LATE = -2002,
+    RIVAL_E_FINE = -2003,
+    RIVAL_E_SHORT = -2004
+};
 
 extern const struct rival rival_quat_euler, rival_mercury, rival_lammps;                /* normalised.c */
 extern const struct rival rival_yade_exp_verlet, rival_yade_leapfrog, rival_spiral;     /* exponential.c */

@@ -116,7 +116,7 @@ static const struct scene_field tail[] = {
     {"h", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(h), "time step", "Time.", NULL},
     {"tolerance", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(tolerance), "estimated error of a step",
      "Velocity and angular velocity; the stepper, srkn11, srkn14 or srkn6, chooses its steps by it, and h is only "
-     "between rows.",
+     "between rows, and 2^-26 h the shortest step.",
      NULL},
     {"control", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(control), "steps that follow how fast bodies turn",
      "A step is about h/sqrt(1 + |Omega|^2/turning^2), |Omega|^2 the mean over the bodies: integrating leaves no drift "

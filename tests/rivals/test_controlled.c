@@ -238,6 +238,7 @@ static void assert_refused(const char *where, const char *name, double tolerance
     assert_no_journey(&scene, name, words);
 }
 
+/** A tolerance below rounding is not met by any step. */
 TEST(refused)
 {
     assert_refused("chain", "vti2", 1e-6, "vti2 has no estimate of its error");
@@ -276,8 +277,22 @@ TEST(too_late)
     end(&j);
 }
 
-/** A tolerance below rounding is not met by any step. */
+/** Where the shortest step is too long for the tolerance, its time and length are said, and that h sets it. */
+TEST(too_short)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene("chain", &scene);
+    scene.tolerance = 1e-8;
+    begin(&j, &scene, method_of("srkn11"), 0x1p30);
+    assert_int_equal(travel_go(&j.travel, 2, &j.message), -1);
+    assert_non_null(strstr(j.message.text,
+                           "t = 0: the shortest step, 2^-26 h = 16, errs by more than the tolerance; give "
+                           "a smaller h or a larger tolerance"));
+    end(&j);
+}
+
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
                     cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
                     cmocka_unit_test(grazing), cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
-                    cmocka_unit_test(too_late))
+                    cmocka_unit_test(too_late), cmocka_unit_test(too_short))

@@ -153,7 +153,11 @@ static int try_step(struct course *c, vti_control *control, double t, double h, 
         error[0] = error[1] = NAN;
     else
         error[0] = with_missed(c, &before, h, error[0]);
-    const int judged = vti_control_judge(control, h, error[0], error[1], accepted);
+    int judged = vti_control_judge(control, h, error[0], error[1], accepted);
+    if (judged == VTI_E_CONTROL && h <= control->least) {
+        judged = RIVAL_E_SHORT;
+        c->fault.value = t;
+    }
     if (!*accepted)
         vti_step_undo(&c->bodies, &before);
     else
