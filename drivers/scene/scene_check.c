@@ -193,6 +193,27 @@ static int check_counts_of_spheres(const struct scene_reader *reader, const stru
                              NUMBER(sum), (long long)clumps->spheres.count);
 }
 
+/** A sphere that a template has twice would feel all that acts on it twice. */
+static int check_twice(const struct scene_reader *reader, const struct scene_clumps *clumps)
+{
+    const int64_t templates = clumps->counts.count > 0 ? clumps->counts.count : 1;
+    int64_t first = 0;
+    for (int64_t t = 0; t < templates; ++t) {
+        const int64_t end =
+            clumps->counts.count > 0 ? first + (int64_t)clumps->counts.number[t] : clumps->spheres.count;
+        for (int64_t s = first; s < end; ++s)
+            for (int64_t k = first; k < s; ++k) {
+                const double *a = clumps->spheres.sphere[k], *b = clumps->spheres.sphere[s];
+                if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3])
+                    return scene_reader_fail(reader, "bodies.clumps.spheres",
+                                             "row [%lld] is there a second time, first by row [%lld]; keep one",
+                                             (long long)s, (long long)k);
+            }
+        first = end;
+    }
+    return 0;
+}
+
 /** Spheres say how large their clump is and how it turns. */
 static int check_clumps(const struct scene_reader *reader, const struct scene *scene)
 {
@@ -209,7 +230,7 @@ static int check_clumps(const struct scene_reader *reader, const struct scene *s
         return scene_reader_fail(reader, "bodies.clumps.density", "given besides bodies.mass; keep one of them");
     if (!scene->translates && scene->arrangement != SCENE_IN_TABLE)
         return scene_reader_fail(reader, "bodies.clumps", "has no position; give " POSITIONS);
-    return check_counts_of_spheres(reader, &scene->clumps);
+    return check_counts_of_spheres(reader, &scene->clumps) != 0 ? -1 : check_twice(reader, &scene->clumps);
 }
 
 struct scene_known scene_knows(const struct scene *scene, struct scene_known table)

@@ -269,6 +269,8 @@ TEST(two_clumps_collide)
 TEST(refused_scenes)
 {
     static const struct refusal files[] = {
+        {CLUMPS "[[0, 0, 0, 1], [1, 0, 0, 1], [0, 0, 0, 2], [1, 0, 0, 1]]}, mass: 1}\n" TIME,
+         "1:56: bodies.clumps.spheres: row [3] is there a second time, first by row [1]; keep one"},
         {CLUMPS "[]}, mass: 1}\n" TIME, "1:56: bodies.clumps.spheres: no spheres; give rows x, y, z, D"},
         {CLUMPS "[[0, 0, 0]]}, mass: 1}\n" TIME,
          "1:57: bodies.clumps.spheres[0]: 3 values in a list of four numbers x, y, z, D; write them as in [0, 0, 0, "

@@ -235,6 +235,13 @@ static const struct refusal refused[] = {
      "1:1: bodies.diameter: missing; spheres in contact need it, the diameter D"},
     {POINT "wall: {planes: [[1, 0, 0, 0]]}\n" TIME,
      "2:1: wall.stiffness: missing; add 'stiffness:', the stiffness K^pw"},
+    {POINT "wall: {stiffness: 1, planes: [[0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 2, 0]]}\n" TIME,
+     "2:30: wall.planes: row [2] is there a second time, first by row [0]; keep one"},
+    {POINT "wall: {stiffness: 1, planes: [[3, 1, 7, 4], [0, 1, 0, 0], [9, 3, 21, 12]]}\n" TIME,
+     "2:30: wall.planes: row [2] is there a second time, first by row [0]; keep one"},
+    {POINT "wall: {stiffness: 1, planes: [[0, 0, 1, 0]], velocities: [[0, 0, 1], [1, 0, 0], [1, 0, 0]], "
+           "cylinders: [[0, 0, 1, 1, 2, 3, 4], [0, 0, -2, 1, 2, 8, 4]]}\n" TIME,
+     "2:104: wall.cylinders: row [1] is there a second time, first by row [0]; keep one"},
     {POINT "wall: {stiffness: 1}\n" TIME, "2:1: wall.planes: no planes; give a list of them, such as [[1, 0, 0, 0]]"},
     {POINT "wall: {stiffness: 1, planes: []}\n" TIME,
      "2:30: wall.planes: no planes; give a list of them, such as [[1, 0, 0, 0]]"},

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * What a scene says of walls. */
+#include <math.h>
+
 #include "scene.h"
 #include "scene_reader.h"
 #include "wall.h"
@@ -48,6 +50,61 @@ static int check_list(const struct scene_reader *reader, const char *path, int64
                              (long long)rows, (long long)walls);
 }
 
+/** But for rounding of unit vectors. */
+static int is_near(double a, double b, double unit)
+{
+    static const double rounding = 1e-14;
+    return fabs(a - b) <= rounding * unit;
+}
+
+static int is_along(const double a[3], const double b[3], double sign)
+{
+    return is_near(a[0], sign * b[0], 1.0) && is_near(a[1], sign * b[1], 1.0) && is_near(a[2], sign * b[2], 1.0);
+}
+
+static int is_same_plane(const struct wall_settings *wall, int64_t first, int64_t second)
+{
+    const double *a = wall->planes.plane[first], *b = wall->planes.plane[second];
+    return is_along(a, b, 1.0) && is_near(a[3], b[3], fmax(fabs(a[3]), fabs(b[3])));
+}
+
+/** Axes may point either way, from any of their points. */
+static int is_same_cylinder(const struct wall_settings *wall, int64_t first, int64_t second)
+{
+    const double *a = wall->cylinders.cylinder[first], *b = wall->cylinders.cylinder[second];
+    double apart[3], off = 0.0, size = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        apart[k] = b[3 + k] - a[3 + k];
+        size = fmax(size, fmax(fabs(a[3 + k]), fabs(b[3 + k])));
+    }
+    const double along = vti_dot(apart, a);
+    for (int k = 0; k < 3; ++k)
+        off = fmax(off, fabs(apart[k] - along * a[k]));
+    return (is_along(a, b, 1.0) || is_along(a, b, -1.0)) && is_near(a[6], b[6], a[6]) &&
+           is_near(off, 0.0, fmax(a[6], size));
+}
+
+/** Whether two walls go the same way, so that what is in one place stays so. */
+static int go_together(const struct wall_settings *wall, int64_t a, int64_t b)
+{
+    const double(*v)[3] = wall->velocities.vector;
+    return wall->velocities.count == 0 || (v[a][0] == v[b][0] && v[a][1] == v[b][1] && v[a][2] == v[b][2]);
+}
+
+/** What is listed twice would push twice; the list begins with wall number first. */
+static int check_twice(const struct scene_reader *reader, const char *path, const struct wall_settings *wall,
+                       int64_t first, int64_t count,
+                       int (*is_same)(const struct wall_settings *wall, int64_t a, int64_t b))
+{
+    for (int64_t w = 1; w < count; ++w)
+        for (int64_t k = 0; k < w; ++k)
+            if (is_same(wall, k, w) && go_together(wall, first + k, first + w))
+                return scene_reader_fail(reader, path,
+                                         "row [%lld] is there a second time, first by row [%lld]; keep one",
+                                         (long long)w, (long long)k);
+    return 0;
+}
+
 int wall_check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct wall_settings *wall = settings;
@@ -69,7 +126,10 @@ int wall_check(const struct scene_reader *reader, const struct scene *scene, con
         return scene_reader_fail(reader, "wall.planes", "no planes; give a list of them, such as [[1, 0, 0, 0]]");
     return check_list(reader, "wall.stiffnesses", wall->each.count, walls) != 0 ||
                    check_list(reader, "wall.velocities", wall->velocities.count, walls) != 0 ||
-                   check_list(reader, "wall.spins", wall->spins.count, walls) != 0
+                   check_list(reader, "wall.spins", wall->spins.count, walls) != 0 ||
+                   check_twice(reader, "wall.planes", wall, 0, wall->planes.count, is_same_plane) != 0 ||
+                   check_twice(reader, "wall.cylinders", wall, wall->planes.count, wall->cylinders.count,
+                               is_same_cylinder) != 0
                ? -1
                : 0;
 }
