@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "number.h"
+#include "quote.h"
 
 enum { WIDTH = 40, REST = 40 /* what stands beside the bar, at most */ };
 
@@ -105,20 +106,12 @@ static void say_left(const char *before, double seconds, FILE *file)
 static const char *speaker = NULL;
 
 /** Seconds between lines; infinite: none. */
-static double log_interval(void)
-{
-    const char *told = getenv("VTI_LOG");
-    double seconds = 60.0;
-    if (told != NULL && number_read(told, &seconds) != 0)
-        seconds = 60.0;
-    return seconds > 0.0 ? seconds : INFINITY;
-}
+static double interval = 60.0;
 
 /** Whether one is due; it is written then. */
 static int log_is_due(double seconds)
 {
-    static double last = 0.0, interval = 0.0;
-    interval = interval > 0.0 ? interval : log_interval();
+    static double last = 0.0;
     last = fmin(last, seconds); /* another clock has begun */
     if (speaker == NULL || terminal() != NULL || !(seconds - last >= interval))
         return 0;
@@ -128,7 +121,16 @@ static int log_is_due(double seconds)
 
 void log_as(const char *program)
 {
+    const char *const told = getenv("VTI_LOG");
+    char shown_told[QUOTE_SIZE];
+    double seconds = interval;
     speaker = program;
+    if (told != NULL && told[0] != '\0' && number_read(told, &seconds) != 0) {
+        fprintf(stderr, "%s: VTI_LOG: '%s' is no number of seconds; lines are %.0f s apart, give 0 for none\n", program,
+                quote(shown_told, sizeof shown_told, told), interval);
+        return;
+    }
+    interval = seconds > 0.0 ? seconds : INFINITY;
 }
 
 static void end_line(double left)

@@ -28,7 +28,8 @@ void progress_clear(void);
  * VTI_LOG in the environment says, where 0 is never. progress_show_what writes "vti-study: runs: 37 % done, about 25 min
  * left". */
 
-/** The program that says so; until then nobody does. */
+/** The program that says so; until then nobody does. It says first if VTI_LOG is no number, and is then left as without
+ *  it. */
 void log_as(const char *program);
 /** "vti-run: step 512 of 1024 (t = 0.5), about 3 h left"; seconds have passed, and so many are left, infinite if nobody
  *  knows. */

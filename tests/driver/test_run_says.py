@@ -118,11 +118,28 @@ def logged(base):
     check(steps == sorted(set(steps)) and all(abs(float(line[2]) - int(line[1]) / 2048) < 1e-6 for line in found), "... each farther on")
     check(not lines("never", VTI_LOG="0"), "... none if none are wanted")
     check(not lines("minute"), "... nor in a run shorter than a minute")
+    check(not lines("empty", VTI_LOG=""), "... nor of an empty word")
+    for word in ("abc", "1x"):
+        said = lines("word", VTI_LOG=word)
+        check(said == [f"vti-run: VTI_LOG: '{word}' is no number of seconds; lines are 60 s apart, give 0 for none"], f"'{word}': {said}")
+
+
+def never_bonded(base):
+    """Bonds whose time the run does not reach."""
+    with open(f"{base}/n.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {lattice: {counts: [2, 1, 1], spacing: 1}, mass: 1, diameter: 1.001}\ncontact: {stiffness: 100, bonded: yes}\n"
+                   "binder: {when: touching, from: 2, axial: 10}\nh: 1/64\nt_end: 1\n")
+    for end, notes in (("1", ["note: binder.from: 2 is later than t_end, 1, so that no bond is made; give an earlier time, or a later t_end"]),
+                       ("2", [])):
+        done = run(RUN, f"{base}/n.yaml", "--t-end", end, "-o", f"{base}/n-out{end}.h5")
+        said = [line for line in done.stdout.splitlines() if line.startswith("note: ")]
+        check(done.returncode == 0 and said == notes, f"binder.from: 2, t_end: {end}: {said} {done.stderr}")
 
 
 with tempfile.TemporaryDirectory() as root:
     unused(root)
     unused_elsewhere(root)
+    never_bonded(root)
     shipped(root)
     disk(root)
     logged(root)

@@ -2,9 +2,12 @@
  * The binder: elastic bonds between bodies (EQUATIONS 3). */
 #include "binder.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include "number.h"
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
@@ -120,6 +123,18 @@ static double held(const struct effect *e, const vti_bodies *b)
     return most;
 }
 
+/** A time that the run does not reach: it may be meant for a longer one. */
+static void note(const struct effect *e, const struct model *model, char *text, size_t size)
+{
+    const struct binder_settings *binder = e->settings;
+    const double t_end = model->scene->t_end;
+    if (binder->when == BINDER_TOUCHING && binder->from > t_end * (1.0 + 4.0 * DBL_EPSILON))
+        snprintf(
+            text, size,
+            "binder.from: %s is later than t_end, %s, so that no bond is made; give an earlier time, or a later t_end",
+            NUMBER(binder->from), NUMBER(t_end));
+}
+
 /* ---- together ---------------------------------------------------------------------------------------------------- */
 
 static const vti_bonds *bonds(const struct effect *e)
@@ -148,6 +163,7 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .destroy = destroy,
                                           EFFECT_TERMS(terms),
                                           .say = say,
+                                          .note = note,
                                           .limit = limit,
                                           .deform = deform,
                                           .held = held,
