@@ -55,8 +55,8 @@ static const char *skip_decimal(const char *p, int *is_zero)
     return end;
 }
 
-/** The decimal number without a sign at *p, which then stands behind it. */
-static int read_decimal(const char **p, double *value)
+/** The decimal number without a sign at *p, which then stands behind it. *fits becomes 0 if no double holds it. */
+static int read_decimal(const char **p, double *value, int *fits)
 {
     int is_zero;
     const char *end = skip_decimal(*p, &is_zero);
@@ -65,8 +65,9 @@ static int read_decimal(const char **p, double *value)
     char *stop;
     const double x = strtod(*p, &stop);
     /* in a locale with a decimal comma strtod stops at the point: what it has read so far is wrong */
-    if (stop != end || !isfinite(x) || (x == 0.0 && !is_zero))
+    if (stop != end)
         return -1;
+    *fits &= isfinite(x) && (x != 0.0 || is_zero);
     *p = end;
     *value = x;
     return 0;
@@ -74,18 +75,18 @@ static int read_decimal(const char **p, double *value)
 
 /* ---- quotients and powers ---------------------------------------------------------------------------------------- */
 
-static int read_second(const char **p, double *value)
+static int read_second(const char **p, double *value, int *fits)
 {
     const double sign = **p == '-' ? -1.0 : 1.0;
     *p = skip_sign(*p);
-    if (read_decimal(p, value) != 0)
+    if (read_decimal(p, value, fits) != 0)
         return -1;
     *value *= sign;
     return 0;
 }
 
 /** a if nothing follows it at *p, else a/b or a^b. */
-static int read_rest(const char **p, double a, double *value)
+static int read_rest(const char **p, double a, double *value, int *fits)
 {
     const char operation = **p;
     double b;
@@ -93,25 +94,49 @@ static int read_rest(const char **p, double a, double *value)
     if (operation != '/' && operation != '^')
         return 0;
     *p = skip_blanks(*p + 1);
-    if (read_second(p, &b) != 0)
+    if (read_second(p, &b, fits) != 0)
         return -1;
+    if (!*fits)
+        return 0;
     *value = operation == '/' ? a / b : plain_power(a, b);
-    return isfinite(*value) && (*value != 0.0 || a == 0.0) ? 0 : -1;
+    *fits &= isfinite(*value) && (*value != 0.0 || a == 0.0);
+    return 0;
 }
 
-int number_read(const char *text, double *value)
+/** Returns 0 if text is a number, whether it fits or not. */
+static int parse(const char *text, double *value, int *fits)
 {
     const char *p = skip_blanks(text);
     const double sign = *p == '-' ? -1.0 : 1.0;
     double a, x;
     p = skip_sign(p);
-    if (read_decimal(&p, &a) != 0)
+    *fits = 1;
+    if (read_decimal(&p, &a, fits) != 0)
         return -1;
     p = skip_blanks(p);
-    if (read_rest(&p, a, &x) != 0 || *skip_blanks(p) != '\0')
+    if (read_rest(&p, a, &x, fits) != 0 || *skip_blanks(p) != '\0')
         return -1;
     *value = sign * x;
     return 0;
+}
+
+int number_read(const char *text, double *value)
+{
+    double x;
+    int fits;
+    if (parse(text, &x, &fits) != 0 || !fits)
+        return -1;
+    *value = x;
+    return 0;
+}
+
+const char *number_refusal(const char *text)
+{
+    double x;
+    int fits;
+    return parse(text, &x, &fits) == 0 && !fits
+               ? "is too small or too large to hold; give a number from 5e-324 to 1.79e308 in size, or 0"
+               : "is not a number; " NUMBER_WRITE;
 }
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */

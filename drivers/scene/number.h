@@ -16,6 +16,9 @@
  *  numbers, infinities and NaN. Returns 0, or -1 and leaves *value alone. Does not depend on the locale. */
 int number_read(const char *text, double *value);
 
+/** What is said of a text that number_read refuses: that it is none, or one that no double holds. */
+const char *number_refusal(const char *text);
+
 enum { NUMBER_TEXT = 32 };
 
 /** Writes the shortest decimal number that reads back as the same double, 0.1 and not 0.10000000000000001, and returns

@@ -125,7 +125,7 @@ static const struct scene_field tail[] = {
      controls},
     {"speed", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(speed), "unit of a step's error in velocity",
      "Velocity; 1 without it. Goes with a tolerance.", NULL},
-    {"turning", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(turning), "an angular velocity of the scene",
+    {"turning", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(turning), "angular velocity of the scene",
      "Angular velocity; 1 without it. With a tolerance the unit of a step's error in angular velocity, with a control "
      "that of the bodies' turning.",
      NULL},

@@ -105,8 +105,8 @@ static int read_number(const struct scene_reader *reader, const struct scene_fie
     char shown[QUOTE_SIZE], part[48];
     const char *text = value->items[k].text;
     if (number_read(text, number) != 0)
-        return scene_reader_fail_item(reader, field, k, part_of(field, k, part), "'%s' is not a number; " NUMBER_WRITE,
-                                      quote(shown, sizeof shown, text));
+        return scene_reader_fail_item(reader, field, k, part_of(field, k, part), "'%s' %s",
+                                      quote(shown, sizeof shown, text), number_refusal(text));
     return 0;
 }
 
@@ -198,12 +198,13 @@ static int finish_row(const struct scene_reader *reader, const struct scene_fiel
     if (field->kind == SCENE_PLANES && make_unit(numbers, 4) != 0)
         return scene_reader_fail_item(
             reader, field, width * row, part,
-            "'[%.20s, %.20s, %.20s, %.20s]' has no unit normal; its first three numbers are zero or too large",
+            "'[%.20s, %.20s, %.20s, %.20s]' has no unit normal; its first three numbers are zero, too small or too "
+            "large",
             items[0].text, items[1].text, items[2].text, items[3].text);
     if (field->kind == SCENE_CYLINDERS && make_unit(numbers, 3) != 0)
         return scene_reader_fail_item(reader, field, width * row, part,
-                                      "'[%.20s, %.20s, %.20s, ...]' has no axis; its first three numbers are zero or "
-                                      "too large",
+                                      "'[%.20s, %.20s, %.20s, ...]' has no axis; its first three numbers are zero, "
+                                      "too small or too large",
                                       items[0].text, items[1].text, items[2].text);
     if (field->kind == SCENE_CYLINDERS && !(numbers[6] > 0.0))
         return scene_reader_fail_item(reader, field, width * row + 6, part,

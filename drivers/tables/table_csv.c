@@ -130,7 +130,7 @@ static int read_value(const struct csv *csv, int k, const char *field)
     char shown[QUOTE_SIZE], text[4 * QUOTE_SIZE];
     double value;
     const char *refusal =
-        number_read(field, &value) == 0 ? table_refusal(table->kind, k, value) : "is not a number; " NUMBER_WRITE;
+        number_read(field, &value) == 0 ? table_refusal(table->kind, k, value) : number_refusal(field);
     if (refusal == NULL) {
         table->column[k][table->rows] = value;
         return 0;

@@ -242,6 +242,10 @@ static const struct refusal refused[] = {
     {POINT "wall: {stiffness: 1, planes: [[0, 0, 1, 0]], velocities: [[0, 0, 1], [1, 0, 0], [1, 0, 0]], "
            "cylinders: [[0, 0, 1, 1, 2, 3, 4], [0, 0, -2, 1, 2, 8, 4]]}\n" TIME,
      "2:104: wall.cylinders: row [1] is there a second time, first by row [0]; keep one"},
+    {POINT "wall: {stiffness: 1, planes: [[0, 0, 1e-320, 1]]}\n" TIME,
+     "2:32: wall.planes[0]: '[0, 0, 1e-320, 1]' has no unit normal; its first three numbers are zero, too small or too "
+     "large"},
+    {POINT "turning: 0\n" TIME, "2:10: turning: '0' is not positive; the angular velocity of the scene must be > 0"},
     {POINT "wall: {stiffness: 1}\n" TIME, "2:1: wall.planes: no planes; give a list of them, such as [[1, 0, 0, 0]]"},
     {POINT "wall: {stiffness: 1, planes: []}\n" TIME,
      "2:30: wall.planes: no planes; give a list of them, such as [[1, 0, 0, 0]]"},
@@ -254,9 +258,11 @@ static const struct refusal refused[] = {
     {POINT "wall:\n  stiffness: 1\n  planes:\n  - [1, 0, 0, 0]\n  - [0, up, 1, 0]\n" TIME,
      "6:9: wall.planes[1][1]: 'up'" NUMBER},
     {POINT "wall:\n  stiffness: 1\n  planes: [[0, 0, 0, 1]]\n" TIME,
-     "4:13: wall.planes[0]: '[0, 0, 0, 1]' has no unit normal; its first three numbers are zero or too large"},
+     "4:13: wall.planes[0]: '[0, 0, 0, 1]' has no unit normal; its first three numbers are zero, too small or too "
+     "large"},
     {POINT "wall:\n  stiffness: 1\n  planes: [[1.7e308, 1.7e308, 0, 0]]\n" TIME,
-     "4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or too "
+     "4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero, too small "
+     "or too "
      "large"},
     {POINT WALL(", young: 1") TIME, "2:53: wall.young: given with wall.stiffness; keep one of them"},
     {POINT WALL(", poisson: 0") TIME, "2:55: wall.poisson: given with wall.stiffness; keep one of them"},
@@ -278,7 +284,7 @@ static const struct refusal refused[] = {
      "2:58: wall.cylinders[0]: 6 values in a list of seven numbers ax, ay, az, x, y, z, R; write them as in "
      "[0, 1, 0, 0, 0, 0, 5]"},
     {POINT WALL(", cylinders: [[0, 0, 0, 0, 0, 0, 1]]") TIME,
-     "2:59: wall.cylinders[0]: '[0, 0, 0, ...]' has no axis; its first three numbers are zero or too large"},
+     "2:59: wall.cylinders[0]: '[0, 0, 0, ...]' has no axis; its first three numbers are zero, too small or too large"},
     {POINT WALL(", cylinders: [[0, 1, 0, 0, 0, 0, -1]]") TIME,
      "2:77: wall.cylinders[0]: the radius '-1' is not positive; the seventh number must be > 0"},
     {POINT WALL(", cylinders: [[0, 1, 0, 0, 0, 0, nan]]") TIME, "2:77: wall.cylinders[0][6]: 'nan'" NUMBER},
@@ -314,7 +320,7 @@ static const struct refusal overrides[] = {
     {"wall.planes=[[1, 0, 0]]", "wall.planes[0]: 3 values in a list of four numbers nx, "
                                 "ny, nz, d; write them as in [1, 0, 0, 0]"},
     {"wall.planes=[[0, 0, 0, 0]]", "wall.planes[0]: '[0, 0, 0, 0]' has no unit normal; "
-                                   "its first three numbers are zero or too large"},
+                                   "its first three numbers are zero, too small or too large"},
 };
 
 TEST(refused_overrides)

@@ -7,6 +7,7 @@
 #include "table.h"
 #include "table_csv.h"
 
+#define HOLD " is too small or too large to hold; give a number from 5e-324 to 1.79e308 in size, or 0"
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define BODY_NAMES                                                                                                     \
     "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, moment_a, moment_b, moment_c, "        \
@@ -87,6 +88,10 @@ static const struct {
      "b.csv:1:1: columns are parted by tabs; let commas part them, and points stand in numbers"},
     {&table_bodies, "x,\"y\",z\n0,0,0\n", "b.csv:1:3: a name in quotation marks; write names and numbers without any"},
     {&table_bodies, "x,y,z\n0,0,0\n \n", "b.csv:3: an empty line; remove it"},
+    {&table_bodies, "x,y,z\n0,1e-400,0\n", "b.csv:2:3: y: '1e-400'" HOLD},
+    {&table_bodies, "x,y,z\n0,1/1e-308/2,0\n", "b.csv:2:3: y: '1/1e-308/2'" NUMBER},
+    {&table_bodies, "x,y,z\n0,1e999^2,0\n", "b.csv:2:3: y: '1e999^2'" HOLD},
+    {&table_bodies, "x,y,z\n0,1e-400x,0\n", "b.csv:2:3: y: '1e-400x'" NUMBER},
     {&table_bodies, "x,y,z\n0,,0\n", "b.csv:2:3: y: ''" NUMBER},
     {&table_bodies, "x,y,z\n0,0,0\n0, nan,0\n", "b.csv:3:4: y: 'nan'" NUMBER},
     {&table_bodies, "x,y,z,mass\n0,0,0,1\n0,0,0,-1\n", "b.csv:3:7: mass: '-1' is not positive; it must be > 0"},
