@@ -100,9 +100,9 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
 
 /* ---- rows and frames --------------------------------------------------------------------------------------------- */
 
-static int no_memory(const struct record *record, struct message *message)
+static void no_memory(const struct record *record, struct message *message)
 {
-    return message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
+    message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
 }
 
 static int fill_rows(hid_t file, const struct record *record, int64_t rows, struct message *message)
@@ -110,7 +110,9 @@ static int fill_rows(hid_t file, const struct record *record, int64_t rows, stru
     enum { BLOCK = 4096, NAME = 64 };
     const struct columns *columns = &record->columns;
     double(*values)[BLOCK] = malloc(sizeof *values * (size_t)columns->count);
-    int failed = values == NULL ? no_memory(record, message) : 0;
+    int failed = values == NULL;
+    if (failed)
+        no_memory(record, message);
     for (int64_t first = 0; !failed && first < rows; first += BLOCK) {
         const int64_t count = rows - first < BLOCK ? rows - first : BLOCK;
         for (int c = 0; !failed && c < columns->count; ++c) {
@@ -157,7 +159,9 @@ static int read_frame(hid_t file, const struct record *record, int64_t k, double
 static int fill_frames(hid_t file, const struct record *record, int64_t frames, struct message *message)
 {
     double *frame = malloc(sizeof *frame * (size_t)record->frames.doubles);
-    int failed = frame == NULL ? no_memory(record, message) : 0;
+    int failed = frame == NULL;
+    if (failed)
+        no_memory(record, message);
     for (int64_t k = 0; !failed && k < frames; ++k)
         failed = read_frame(file, record, k, frame) != 0 ||
                  journal_add(record->journal, &record->journal->frames, frame, message) != 0;

@@ -131,8 +131,7 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
         SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", f->slowing);
     if (way_error(v) > much_of_way)
         SAY("; h is %.3g times the time m/c in which drag slows a body: ways and angles of what is only slowed are up "
-            "to "
-            "%.2g of themselves off; %s",
+            "to %.2g of themselves off; %s",
             f->slowing_free, way_error(v), remedy(v));
     if (f->rounding > much_rounding)
         SAY("; bodies are so far from the origin that rounding takes up to %.2g of their way in a step: move it nearer",
