@@ -70,10 +70,10 @@ static inline int64_t lacking(int64_t needed, const vti_bodies *b)
     const int64_t attitude = 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_QUAT, needs = needed & ~attitude;
     if (needed & attitude && !vti_has_attitude(b))
         return VTI_QUANTITY_ALPHA;
-#define READ_STATE LACKS_ANY
-#define READ_CONSTANT LACKS_ANY
-#define READ_LOAD LACKS_NONE
-#define READ_LOW LACKS_NONE
+#define READ_STATE(constant, member, type) LACKS_ANY(constant, member, type)
+#define READ_CONSTANT(constant, member, type) LACKS_ANY(constant, member, type)
+#define READ_LOAD(constant, member, type) LACKS_NONE(constant, member, type)
+#define READ_LOW(constant, member, type) LACKS_NONE(constant, member, type)
 #define READ(constant, number, member, type, role) READ_##role(constant, member, type)
     VTI_QUANTITIES(READ)
     return VTI_QUANTITY_NONE;
@@ -82,10 +82,10 @@ static inline int64_t lacking(int64_t needed, const vti_bodies *b)
 /** The same of loads and rounding errors, which few need. */
 VTI_APART int64_t lacking_else(int64_t needs, const vti_bodies *b)
 {
-#define ELSE_STATE LACKS_NONE
-#define ELSE_CONSTANT LACKS_NONE
-#define ELSE_LOAD LACKS_ANY
-#define ELSE_LOW LACKS_ANY
+#define ELSE_STATE(constant, member, type) LACKS_NONE(constant, member, type)
+#define ELSE_CONSTANT(constant, member, type) LACKS_NONE(constant, member, type)
+#define ELSE_LOAD(constant, member, type) LACKS_ANY(constant, member, type)
+#define ELSE_LOW(constant, member, type) LACKS_ANY(constant, member, type)
 #define ELSE(constant, number, member, type, role) ELSE_##role(constant, member, type)
     VTI_QUANTITIES(ELSE)
     return VTI_QUANTITY_NONE;
