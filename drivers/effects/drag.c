@@ -209,9 +209,11 @@ static double coefficient_of(const vti_scalars *c, int64_t s)
 static double speed_of(const vti_drag *drag, const vti_bodies *feels, int64_t s)
 {
     double u[3];
-    for (int k = 0; k < 3 && feels->v.c[0] != NULL; ++k)
+    if (feels->v.c[0] == NULL)
+        return 0.0;
+    for (int k = 0; k < 3; ++k)
         u[k] = feels->v.c[k][s * feels->v.stride] - drag->medium[k];
-    return feels->v.c[0] != NULL ? vti_norm(u) : 0.0;
+    return vti_norm(u);
 }
 
 static int is_turning(const vti_bodies *b, int64_t i)

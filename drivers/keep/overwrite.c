@@ -47,30 +47,18 @@ static int is_text(const char *path, const struct mark *mark)
            (mark->holds == NULL || strstr(start, mark->holds) != NULL);
 }
 
-enum { START = 64, SIGNATURE = 8 };
-
-/** The file's first bytes, zeros behind its end, and how many there are; 0 if it cannot be read. */
-static size_t read_start(const char *path, char start[START])
-{
-    memset(start, 0, START);
-    FILE *file = fopen(path, "rb");
-    if (file == NULL)
-        return 0;
-    const size_t size = fread(start, 1, START, file);
-    fclose(file);
-    return size;
-}
-
 /** Whether the regular file at path may be a file of ours that was half written when its program was killed. HDF5 writes
  *  the first bytes last, and so may the system. */
 static int is_half(const char *path, const struct mark *mark)
 {
-    static const char zeros[SIGNATURE];
-    char start[START];
-    const size_t size = read_start(path, start);
-    if (size == 0)
+    static const char zeros[8];
+    char start[64] = "";
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
         return 0;
-    if (memcmp(start, zeros, SIGNATURE) == 0)
+    const size_t size = fread(start, 1, sizeof start, file);
+    fclose(file);
+    if (memcmp(start, zeros, sizeof zeros) == 0)
         return 1;
     if (mark->begins == NULL)
         return held_begins(path);
@@ -195,16 +183,17 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
                            "replace it with --force",
                            path, strerror(errno));
-    if (mark->begins == NULL && held_is(path))
-        return message_set(message,
-                           "%.600s: is there already and " HELD_TEXT
-                           ", choose another place with -o, or replace it with --force",
-                           path);
-    if (!mark_is_ours(path, mark))
+    if (!mark_is_ours(path, mark)) {
+        if (mark->begins == NULL && held_is(path))
+            return message_set(message,
+                               "%.600s: is there already and " HELD_TEXT
+                               ", choose another place with -o, or replace it with --force",
+                               path);
         return message_set(message,
                            "%.600s: is there already and is no result of vti; choose another place with -o, or replace "
                            "it with --force",
                            path);
+    }
     if (is_protected(path))
         return message_set(message,
                            "%.600s: is there already and is write-protected; choose another place with -o, or replace "

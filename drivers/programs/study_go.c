@@ -22,7 +22,7 @@ static int count_ranks(void)
 /* ---- from plan to files ------------------------------------------------------------------------------------------ */
 
 /** What the three kinds of studies differ in; *result is theirs. Those that return an int return 0, or not with *message. */
-struct course {
+struct study_kind {
     void (*say_plan)(const void *plan);
     int (*run)(const void *plan, const struct study_watch *watch, const struct store *store, void *result,
                struct message *message);
@@ -33,7 +33,7 @@ struct course {
 enum { NOT_BEGUN = WATCH_ASKED - 1 };
 
 /** Returns on all ranks 0, or when one line has been said WATCH_ASKED, -1, or NOT_BEGUN, when there is no result. */
-static int go_through(const struct course *course, const struct study_work *work, const struct study_place *place,
+static int go_through(const struct study_kind *kind, const struct study_work *work, const struct study_place *place,
                       int rank, void *result)
 {
     struct message message = {""}, problem = {""};
@@ -42,13 +42,13 @@ static int go_through(const struct course *course, const struct study_work *work
         return NOT_BEGUN;
     const struct store store = study_tasks_store();
     if (rank == 0)
-        course->say_plan(work->plan);
-    int failed = course->run(work->plan, &watch, rank == 0 ? &store : NULL, result, &message);
+        kind->say_plan(work->plan);
+    int failed = kind->run(work->plan, &watch, rank == 0 ? &store : NULL, result, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (study_tasks_check(place, &problem) != 0 || course->write(result, place->folder, &problem) != 0))
+        (study_tasks_check(place, &problem) != 0 || kind->write(result, place->folder, &problem) != 0))
         failed = study_tasks_not_written(&problem, &message);
-    const int done = failed == 0 || (course->refused != NULL && course->refused(result));
+    const int done = failed == 0 || (kind->refused != NULL && kind->refused(result));
     return study_tasks_end(failed, done, rank, &message);
 }
 
@@ -137,12 +137,12 @@ static int is_refused(const void *study)
 
 int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
-    static const struct course course = {say_study_plan, run_study, write_study, is_refused};
+    static const struct study_kind kind = {say_study_plan, run_study, write_study, is_refused};
     struct study study;
     const struct study_work work = {study_journal,          "runs",        plan->steppers_count * plan->h_count,
                                     sizeof(struct outcome), study_outputs, STUDY_FILES,
                                     study_identify,         plan};
-    int failed = go_through(&course, &work, place, rank, &study);
+    int failed = go_through(&kind, &work, place, rank, &study);
     if (failed == NOT_BEGUN)
         return -1;
     if (failed == 0 && rank == 0)
@@ -211,11 +211,11 @@ static int write_survey(void *counted, const char *folder, struct message *messa
 
 int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank)
 {
-    static const struct course course = {say_survey_plan, run_survey, write_survey, NULL};
+    static const struct study_kind kind = {say_survey_plan, run_survey, write_survey, NULL};
     struct counted_survey counted = {.counts = {{0}, 0, 0}};
     const struct study_work work = {study_journal, "points",    survey_points(plan), (size_t)survey_bytes(plan),
                                     study_outputs, STUDY_FILES, survey_identify,     plan};
-    const int failed = go_through(&course, &work, place, rank, &counted);
+    const int failed = go_through(&kind, &work, place, rank, &counted);
     int bad = counted.counts.verdict[VERDICT_BAD] > 0 || counted.counts.failed > 0;
     if (failed == NOT_BEGUN)
         return -1;
@@ -257,7 +257,7 @@ static int write_cost(void *cost, const char *folder, struct message *message)
 
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
 {
-    static const struct course course = {say_cost_plan, run_cost, write_cost, NULL};
+    static const struct study_kind kind = {say_cost_plan, run_cost, write_cost, NULL};
     static struct cost cost;
     const struct study_work work = {"cost.journal",
                                     "ladders",
@@ -267,7 +267,7 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
                                     COST_FILES,
                                     cost_identify,
                                     plan};
-    const int failed = go_through(&course, &work, place, rank, &cost);
+    const int failed = go_through(&kind, &work, place, rank, &cost);
     if (failed == NOT_BEGUN)
         return -1;
     if (failed == 0 && rank == 0)

@@ -146,7 +146,8 @@ static int forces_back(struct course *c)
 /** A step back: where steps are large the first four by chin4's list without its gradient, two evaluations each, where they
  *  are small the first six by srkn6; and then one each by AN(5), or AN(7), and so on, which evaluate once. All are of orders
  *  below K, and the first of order 2: but what they err by grows smoothly from 0 with the way back, and of that the sums
- *  of K accelerations see only what their ends leave (an9 keeps its order on the chain down to 1e-12, on a heavy pendulum down to 1e-9). */
+ *  of K accelerations see only what their ends leave (an9 keeps its order on the chain down to 1e-12, on a heavy pendulum
+ *  down to 1e-9). */
 static int step_back(struct course *c, const vti_multistep *m, vti_past *past)
 {
     const int large = m->reach > 0.5;
