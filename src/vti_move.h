@@ -72,12 +72,12 @@ struct vti_move_kernels {
     int64_t (*general)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     int (*general_reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end,
                            int64_t *stopped);
-    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by the last three
-     *  numbers of turn[][4]: of as many bodies as fill the lanes, all if one does, whatever the layout
-     *  (vti_adams_kernels.h). They say where they stopped. */
+    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by what is left in
+     *  turn: of as many bodies as fill the lanes, all if one does, whatever the layout (vti_adams_kernels.h). They say
+     *  where they stopped. */
     vti_half_step *predict, *correct;
-    /** Turns bodies by the last three of by[][4], as vti_move_turn_by does (vti_adams_turns.h). */
-    int64_t (*turn)(const double *by, const vti_bodies *b, int64_t begin, int64_t end);
+    /** Turns bodies by that, by[][each], as vti_move_turn_by does (vti_adams_magnus.h, vti_adams_turns.h). */
+    int64_t (*turn)(const double *by, int64_t each, const vti_bodies *b, int64_t begin, int64_t end);
     /** Makes 0 of numbers below VTI_STILL, of which the squares begin to vanish. Returns how many it has looked at. */
     int64_t (*settle)(double *p, int64_t count);
 };

@@ -3,6 +3,9 @@
 #ifndef VTI_PROCESSOR_H
 #define VTI_PROCESSOR_H
 
+/** No kernel has more lanes. */
+enum { VTI_LANES_MOST = 8 };
+
 /** Whether the kernels for these vector units were compiled, and serve here. */
 static inline int vti_serves_avx2(void)
 {

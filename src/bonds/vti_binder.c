@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Selects the bond kernels for the processor and defines vti_bonds_effect. */
+#include <string.h>
+
 #include "vti_binder_table.h"
-#include "../vti_processor.h"
 #include "../vti_ready.h"
 
 /* ---- the kernels ------------------------------------------------------------------------------------------------- */
@@ -59,6 +60,29 @@ static enum layout layout_of(int terms, const vti_bodies *b)
     const int side_by_side =
         q->xyzw[1] == q->xyzw[0] + 1 && q->xyzw[2] == q->xyzw[0] + 2 && q->xyzw[3] == q->xyzw[0] + 3;
     return q->stride == 4 && side_by_side ? QUAT : ANY;
+}
+
+vti_bonds vti_bonds_filled(const vti_bonds *bonds, int64_t first, int64_t last, int64_t width,
+                           struct vti_few_bonds *few)
+{
+    vti_bonds block = *bonds;
+    vti_scalars *const all[TERMS] = {&block.moment, &block.axial, &block.shear};
+    for (int64_t l = 0; l < width; ++l) {
+        const int64_t k = first + l < last ? first + l : last - 1;
+        memcpy(few->pair + 2 * l, bonds->pair + 2 * k, 2 * sizeof *few->pair);
+        memcpy(few->rest + 4 * l, bonds->rest + 4 * k, 4 * sizeof *few->rest);
+        if (bonds->turn != NULL)
+            memcpy(few->turn + 4 * l, bonds->turn + 4 * k, 4 * sizeof *few->turn);
+        for (int c = 0; c < TERMS; ++c)
+            few->stiffness[c][l] = all[c]->p != NULL ? vti_scalar(all[c], k) : 0.0;
+    }
+    block.pair = few->pair;
+    block.rest = few->rest;
+    block.turn = bonds->turn != NULL ? few->turn : NULL;
+    for (int c = 0; c < TERMS; ++c)
+        if (all[c]->p != NULL)
+            *all[c] = (vti_scalars){few->stiffness[c], 1, width};
+    return block;
 }
 
 /** Bonds that are evaluated before they are summed: their rows stay in the first-level cache. Behind a chain that ends

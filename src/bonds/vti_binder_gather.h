@@ -8,13 +8,7 @@
 
 /* ---- blocks of the list ------------------------------------------------------------------------------------------ */
 
-/** The last bonds, filled up to WIDTH with the last one. */
-struct last {
-    int64_t pair[2 * WIDTH];
-    double rest[4 * WIDTH], turn[4 * WIDTH], stiffness[TERMS][WIDTH];
-};
-
-/** The bonds from first on, but for turn. What is absent is NULL, to which C lets nobody add 0. */
+/** The bonds from first on. What is absent is NULL, to which C lets nobody add 0. */
 VTI_INLINE vti_bonds from(const vti_bonds *bonds, int64_t first)
 {
     vti_bonds block = *bonds;
@@ -23,47 +17,18 @@ VTI_INLINE vti_bonds from(const vti_bonds *bonds, int64_t first)
         return block;
     block.pair += 2 * first;
     block.rest += 4 * first;
+    if (block.turn != NULL)
+        block.turn += 4 * first;
     for (int c = 0; c < TERMS; ++c)
         if (all[c]->p != NULL)
             all[c]->p += first * all[c]->stride;
     return block;
 }
 
-/** The same up to last, of fewer than WIDTH, as a whole block. */
-VTI_APART vti_bonds from_last(const vti_bonds *bonds, int64_t first, int64_t last, struct last *few)
+/** WIDTH bonds from first on, or those up to last as a whole block. */
+VTI_INLINE vti_bonds block_at(const vti_bonds *bonds, int64_t first, int64_t last, struct vti_few_bonds *few)
 {
-    vti_bonds block = from(bonds, first);
-    vti_scalars *const all[TERMS] = {&block.moment, &block.axial, &block.shear};
-    for (int l = 0; l < WIDTH; ++l) {
-        const int64_t k = first + l < last ? l : last - 1 - first;
-        for (int side = 0; side < 2; ++side)
-            few->pair[2 * l + side] = block.pair[2 * k + side];
-        for (int c = 0; c < 4; ++c)
-            few->rest[4 * l + c] = block.rest[4 * k + c];
-        for (int c = 0; c < TERMS; ++c)
-            few->stiffness[c][l] = all[c]->p != NULL ? vti_scalar(all[c], k) : 0.0;
-    }
-    block.pair = few->pair;
-    block.rest = few->rest;
-    for (int c = 0; c < TERMS; ++c) {
-        all[c]->p = few->stiffness[c];
-        all[c]->stride = 1;
-    }
-    return block;
-}
-
-/** WIDTH bonds from first on, or those up to last as a whole block, with turn. */
-VTI_INLINE vti_bonds block_at(const vti_bonds *bonds, int64_t first, int64_t last, struct last *few)
-{
-    vti_bonds block = last - first >= WIDTH ? from(bonds, first) : from_last(bonds, first, last, few);
-    if (bonds->turn == NULL)
-        return block;
-    block.turn = bonds->turn + 4 * first;
-    for (int c = 0; last - first < WIDTH && c < 4 * WIDTH; ++c)
-        few->turn[c] = block.turn[c < 4 * (last - first) ? c : 4 * (last - first - 1) + c % 4];
-    if (last - first < WIDTH)
-        block.turn = few->turn;
-    return block;
+    return last - first >= WIDTH ? from(bonds, first) : vti_bonds_filled(bonds, first, last, WIDTH, few);
 }
 
 /* ---- gather ------------------------------------------------------------------------------------------------------ */

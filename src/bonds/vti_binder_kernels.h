@@ -54,22 +54,21 @@ VTI_INLINE void evaluate(int terms, int form, enum layout layout, const vti_bond
     write_rows(&loads, rows);
 }
 
-/** The rows of the bonds first <= k < last. */
+/** The rows of the bonds first <= k < last. The last block begins earlier, if it is not whole: where the list is long
+ *  enough some bonds are evaluated twice. */
 VTI_INLINE void loads_all(int terms, int form, enum layout layout, const vti_bonds *bonds, const vti_bodies *bodies,
                           int64_t first, int64_t last, double *rows)
 {
     const vti_bodies b = *bodies; /* what nobody else can change stays in registers */
-    for (; first + WIDTH <= last; first += WIDTH, rows += WIDTH * VTI_BOND_LOADS) {
-        const vti_bonds block = from(bonds, first);
-        evaluate(terms, form, layout, &block, &b, rows);
-    }
-    if (first < last) {
-        double rest[WIDTH * VTI_BOND_LOADS];
-        struct last few;
-        const vti_bonds block = from_last(bonds, first, last, &few);
-        evaluate_apart(terms, form, &block, bodies, rest);
-        for (int64_t k = 0; k < (last - first) * VTI_BOND_LOADS; ++k)
-            rows[k] = rest[k];
+    double rest[WIDTH * VTI_BOND_LOADS];
+    struct vti_few_bonds few;
+    for (; first < last; first += WIDTH, rows += WIDTH * VTI_BOND_LOADS) {
+        const int64_t left = last - first < WIDTH ? last - first : WIDTH, begin = first + left - WIDTH;
+        const vti_bonds block = begin >= 0 ? from(bonds, begin) : vti_bonds_filled(bonds, first, last, WIDTH, &few);
+        evaluate(terms, form, layout, &block, &b, left == WIDTH ? rows : rest);
+        if (left < WIDTH)
+            memcpy(rows, rest + (begin >= 0 ? WIDTH - left : 0) * VTI_BOND_LOADS,
+                   (size_t)left * VTI_BOND_LOADS * sizeof *rows);
     }
 }
 
@@ -82,7 +81,7 @@ VTI_INLINE void loads_turned(int terms, int form, const vti_bonds *bonds, const 
     double row[WIDTH * VTI_BOND_LOADS];
     struct bond_state state;
     struct bond_loads loads;
-    struct last few;
+    struct vti_few_bonds few;
     for (; first < last; first += WIDTH, rows += WIDTH * VTI_BOND_LOADS) {
         const int whole = last - first >= WIDTH;
         const vti_bonds block = block_at(bonds, first, last, &few);
@@ -104,7 +103,7 @@ VTI_INLINE void energy_all(int terms, int form, const vti_bonds *bonds, const vt
     const vti_bodies b = *bodies;
     struct bond_state state;
     struct bond_loads out;
-    struct last few;
+    struct vti_few_bonds few;
     vti_sum sum[TERMS] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     for (int64_t first = 0; first < bonds->count; first += WIDTH) {
         const int64_t left = bonds->count - first;
@@ -128,7 +127,7 @@ static void measure(int terms, int form, const vti_bonds *bonds, const vti_bodie
 {
     struct bond_state state;
     struct bond_measures of;
-    struct last few;
+    struct vti_few_bonds few;
     memset(&state, 0, sizeof state); /* terms that are absent are not gathered */
     for (; first < last; first += WIDTH) {
         const int64_t left = last - first;

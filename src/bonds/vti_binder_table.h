@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "vti.h"
+#include "../vti_processor.h"
 
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
@@ -36,6 +37,16 @@ struct bond_kernels {
     void (*measure)(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
                     double *rows);
 };
+
+/** Fewer bonds than a block takes, filled up with the last of them to as many. */
+struct vti_few_bonds {
+    int64_t pair[2 * VTI_LANES_MOST];
+    double rest[4 * VTI_LANES_MOST], turn[4 * VTI_LANES_MOST], stiffness[TERMS][VTI_LANES_MOST];
+};
+
+/** The bonds first <= k < last as a block of so many, VTI_LANES_MOST at most. */
+vti_bonds vti_bonds_filled(const vti_bonds *bonds, int64_t first, int64_t last, int64_t width,
+                           struct vti_few_bonds *few);
 
 /** The same bits from each. */
 extern const struct bond_kernels vti_binder_baseline, vti_binder_avx2, vti_binder_avx512;

@@ -6,9 +6,8 @@
 #include "vti_history.h"
 #include "../vti_processor.h"
 
-/** So many pairs at most are handed to a kernel at once, a whole number of lanes of any width; no width is larger than
- *  the second. */
-enum { VTI_TOUCHES = 64, VTI_LANES_MOST = 8 };
+/** So many pairs at most are handed to a kernel at once, a whole number of lanes of any width. */
+enum { VTI_TOUCHES = 64 };
 
 /** Of a length: what begins just touching, up to rounding, lacks of that. */
 #define VTI_JUST_TOUCHING (1.0 - 1e-12)

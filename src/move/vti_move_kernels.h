@@ -46,9 +46,10 @@ static int reaches_none(const struct vti_move *move, const vti_bodies *b, int64_
     return 0;
 }
 
-static int64_t turn_none(const double *by, const vti_bodies *b, int64_t begin, int64_t end)
+static int64_t turn_none(const double *by, int64_t each, const vti_bodies *b, int64_t begin, int64_t end)
 {
     (void)by;
+    (void)each;
     return none(NULL, b, begin, end);
 }
 

@@ -8,6 +8,7 @@
 #define VTI_ADAMS_KERNELS_H
 
 #include "vti_adams.h"
+#include "vti_adams_magnus.h"
 #include "vti_quad.h"
 
 /** The differences of body i: [depth][6], translation first. */
@@ -76,55 +77,11 @@ VTI_INLINE void adams_move(int64_t depth, double h, const double *n, int64_t apa
     quad_into_view(v, 0, i, speed);
 }
 
-/** a + t b */
-VTI_INLINE void quad_with(const part a[PARTS], double t, const part b[PARTS], part r[PARTS])
-{
-    for (int k = 0; k < PARTS; ++k)
-        r[k] = a[k] + t * b[k];
-}
-
-/** The rotation vector of a turn under h w(s) = A1 + A2 z + A3 z^2 + A4 z^3, z = s - 1/2, 0 <= s <= 1 of h (Magnus, order
- *  8; Blanes, Casas and Ros 2000):
- *      S1 = -(1/28) (A1 + A3/28) x (A2 + 3 A4/28),          R1 = (1/3) A1 x (S1 - A3/14)
- *      S2 = (A1 + A3/28 + S1) x (A2 + 3 A4/28 + R1),        R2 = (A1 + 5 S1/4) x (2 A3 + S2 + (1/2) A2 x S1)
- *      S3 = (A1 + A3/12 - 7 S1/3 - S2/6) x (63 R1 + R2 - 9 A2 - 9 A4/4)
- *      theta = A1 + A3/12 - 7 S2/120 + S3/360 */
-VTI_INLINE void adams_magnus(part a[4][PARTS], part theta[PARTS])
-{
-    part s1[PARTS], s2[PARTS], s3[PARTS], r1[PARTS], r2[PARTS], early[PARTS], late[PARTS], p[PARTS], q[PARTS];
-    quad_with(a[0], 1.0 / 28.0, a[2], early);
-    quad_with(a[1], 3.0 / 28.0, a[3], late);
-    quad_cross(early, late, p);
-    for (int k = 0; k < PARTS; ++k)
-        s1[k] = -1.0 / 28.0 * p[k];
-    quad_with(s1, -1.0 / 14.0, a[2], p);
-    quad_cross(a[0], p, q);
-    for (int k = 0; k < PARTS; ++k) {
-        r1[k] = 1.0 / 3.0 * q[k];
-        early[k] += s1[k];
-        late[k] += r1[k];
-    }
-    quad_cross(early, late, s2);
-    quad_cross(a[1], s1, p);
-    for (int k = 0; k < PARTS; ++k)
-        q[k] = 2.0 * a[2][k] + s2[k] + 0.5 * p[k];
-    quad_with(a[0], 1.25, s1, p);
-    quad_cross(p, q, r2);
-    for (int k = 0; k < PARTS; ++k) {
-        theta[k] = a[0][k] + 1.0 / 12.0 * a[2][k];
-        p[k] = theta[k] - 7.0 / 3.0 * s1[k] - 1.0 / 6.0 * s2[k];
-        q[k] = 63.0 * r1[k] + r2[k] - 9.0 * a[1][k] - 2.25 * a[3][k];
-    }
-    quad_cross(p, q, s3);
-    for (int k = 0; k < PARTS; ++k)
-        theta[k] += 1.0 / 360.0 * s3[k] - 7.0 / 120.0 * s2[k];
-}
-
-/** w_p = w + h sum g_j N^j b, and by which vector a body turns meanwhile. */
+/** w_p = w + h sum g_j N^j b, and the A1 ... A4 by which a body turns meanwhile. */
 VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, int64_t apart, const vti_view *omega, int64_t i,
                            double *turn)
 {
-    part b[PARTS], g[PARTS], w[PARTS], a[4][PARTS], theta[PARTS];
+    part b[PARTS], g[PARTS], w[PARTS], a[4][PARTS];
     quad_zero(g);
     for (int m = 0; m < 4; ++m)
         quad_zero(a[m]);
@@ -140,14 +97,14 @@ VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, int64_t apa
     for (int m = 1; m < 4; ++m)
         for (int k = 0; k < PARTS; ++k)
             a[m][k] *= h * h;
-    adams_magnus(a, theta);
+    for (int m = 0; m < 4; ++m)
+        quad_store(turn + 4 * m, ADAMS_PREDICTION, a[m]);
     quad_add(h, g, w);
     quad_into_view(omega, 1, i, w);
-    quad_store(turn, 4, theta);
 }
 
 /** Bodies begin <= i < end, as many as are done at once, to where they will be but for the correction, attitudes
- *  excepted, which turn by the last three of turn[end - begin][4]. */
+ *  excepted, which turn by turn[end - begin][ADAMS_PREDICTION]. */
 static inline int64_t adams_predict(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
                                     int64_t begin, int64_t end, double *turn)
 {
@@ -156,7 +113,7 @@ static inline int64_t adams_predict(const vti_multistep *m, double h, const vti_
     const int64_t depth = m->depth, apart = 6 * past->depth;
     const double *n = adams_differences(past, begin);
     int64_t i = begin;
-    for (; i + AT_ONCE <= end; i += AT_ONCE, n += AT_ONCE * apart, turn += 4 * AT_ONCE) {
+    for (; i + AT_ONCE <= end; i += AT_ONCE, n += AT_ONCE * apart, turn += ADAMS_PREDICTION * AT_ONCE) {
         if (moves)
             adams_move(depth, h, n, apart, &x, &v, i);
         if (spins)
@@ -275,7 +232,7 @@ static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_
     const int64_t depth = m->depth, levels = adams_levels(past), apart = 6 * past->depth;
     double *n = adams_differences(past, begin);
     int64_t i = begin;
-    for (; i + AT_ONCE <= end; i += AT_ONCE, n += AT_ONCE * apart, turn += 4 * AT_ONCE) {
+    for (; i + AT_ONCE <= end; i += AT_ONCE, n += AT_ONCE * apart, turn += ADAMS_CORRECTION * AT_ONCE) {
         struct adams_felt f, off;
         adams_feel(&force, &mass, &moment, &inertia, i, &f);
         adams_compare(1, depth, levels, n, apart, f, &off);
@@ -286,7 +243,7 @@ static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_
         adams_add(&x, 0, i, d, off.low);
         for (int k = 0; k < PARTS; ++k)
             off.high[k] *= d;
-        quad_store(turn, 4, off.high);
+        quad_store(turn, ADAMS_CORRECTION, off.high);
     }
     return i;
 }

@@ -6,14 +6,8 @@
 #ifndef VTI_ADAMS_TURNS_H
 #define VTI_ADAMS_TURNS_H
 
+#include "vti_adams_magnus.h"
 #include "../move/vti_turn_kernels.h"
-
-/** Where the numbers of the bodies of the lanes begin, of n bodies. */
-VTI_INLINE void adams_places(int64_t n, int64_t stride, int64_t at[WIDTH])
-{
-    for (int l = 0; l < WIDTH; ++l)
-        at[l] = (l < n ? l : n - 1) * stride;
-}
 
 /** Turns the bodies of the lanes; 0, and nothing is written, where one turns by so much, or has turned so far, that they
  *  are to be done one by one. */
@@ -62,23 +56,23 @@ VTI_INLINE int adams_turn_quats(lanes s2, const lanes u[3], const vti_quat_view 
 /** Of so many it pays to fill the lanes; fewer are for narrower ones. */
 enum { ADAMS_LEAST = WIDTH < 8 ? 2 : 5 };
 
-static int64_t adams_turn(const double *by, const vti_bodies *b, int64_t begin, int64_t end)
+static int64_t adams_turn(const double *by, int64_t each, const vti_bodies *b, int64_t begin, int64_t end)
 {
     const vti_view alpha = b->alpha;
     const vti_quat_view quat = b->quat;
     const int by_alpha = vti_has(&alpha), adjacent = by_alpha ? stream_of(&alpha).adjacent : quat_is_adjacent(&quat);
     int64_t i = begin;
-    for (int64_t n; end - i >= ADAMS_LEAST; i += n, by += 4 * n) {
-        lanes q[4];
-        int64_t at[WIDTH];
+    for (int64_t n; end - i >= ADAMS_LEAST; i += n, by += each * n) {
+        lanes u[3];
         n = end - i < WIDTH ? end - i : WIDTH;
-        adams_places(n, 4, at);
-        lanes_quads(by, at, q);
-        const lanes *const u = q + 1, s2 = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+        adams_theta(by, each, n, u);
+        const lanes s2 = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
         const int turned = by_alpha ? adams_turn_alphas(s2, u, &alpha, adjacent, i, n)
                                     : adams_turn_quats(s2, u, &quat, adjacent, i, n);
-        for (int64_t l = 0; !turned && l < n; ++l)
-            vti_move_turn_by(by + 4 * l + 1, b, i + l);
+        for (int l = 0; !turned && l < n; ++l) {
+            const double one[3] = {lanes_get(u[0], l), lanes_get(u[1], l), lanes_get(u[2], l)};
+            vti_move_turn_by(one, b, i + l);
+        }
     }
     return i;
 }

@@ -110,15 +110,19 @@ static const struct vti_move_kernels *const *kernels(int64_t bodies)
     return first;
 }
 
-/** Turns by the last three numbers of turn[][4], to order 9 in them. */
-static void turn_all(const struct vti_move_kernels *const *k, const double *turn, const vti_bodies *b, int64_t begin,
-                     int64_t end)
+/** Turns by what predict or correct has left, so many numbers of each body. */
+static void turn_all(const struct vti_move_kernels *const *k, const double *by, int64_t each, const vti_bodies *b,
+                     int64_t begin, int64_t end)
 {
     int64_t i = begin;
     for (; *k != NULL && i + 1 < end; ++k)
-        i = (*k)->turn(turn + 4 * (i - begin), b, i, end);
-    for (; i < end; ++i)
-        vti_move_turn_by(turn + 4 * (i - begin) + 1, b, i);
+        i = (*k)->turn(by + each * (i - begin), each, b, i, end);
+    for (; i < end; ++i) {
+        lanes theta[3];
+        adams_theta(by + each * (i - begin), each, 1, theta);
+        const double one[3] = {lanes_get(theta[0], 0), lanes_get(theta[1], 0), lanes_get(theta[2], 0)};
+        vti_move_turn_by(one, b, i);
+    }
 }
 
 /** Bodies are turned so many at once, in vector registers where there are enough. */
@@ -129,13 +133,14 @@ static void in_tiles(int corrects, const vti_multistep *m, double h, const vti_p
 {
     const struct vti_move_kernels *const *const widest = kernels(b->count);
     const int turns = vti_has(&b->omega) && vti_has_attitude(b) && !(corrects && adams_way(m, h) == 0.0);
-    double turn[4 * TILE];
+    const int64_t each = corrects ? ADAMS_CORRECTION : ADAMS_PREDICTION;
+    double turn[ADAMS_PREDICTION * TILE];
     for (int64_t begin = b->first, last = b->first + b->count, i = begin; begin < last; begin = i) {
         const int64_t end = last - begin < TILE ? last : begin + TILE;
         for (const struct vti_move_kernels *const *k = widest; *k != NULL && i < end; ++k)
-            i = (corrects ? (*k)->correct : (*k)->predict)(m, h, past, b, i, end, turn + 4 * (i - begin));
+            i = (corrects ? (*k)->correct : (*k)->predict)(m, h, past, b, i, end, turn + each * (i - begin));
         if (turns)
-            turn_all(widest, turn, b, begin, end);
+            turn_all(widest, turn, each, b, begin, end);
     }
 }
 

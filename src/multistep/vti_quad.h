@@ -7,8 +7,8 @@
  *     quad_of                (x, y, z, w), of each body
  *     quad_get               a number of a body
  *     quad_three_and         (a0, a1, a2, b1)
- *     quad_and_three         (a2, b1, b2, b3)
- *     quad_cycles            the vector of the last three numbers, x y z, as y z x and as z x y */
+ *     quad_and_three         (a2, b1, b2, b3) */
+
 #ifndef VTI_QUAD_H
 #define VTI_QUAD_H
 
@@ -82,12 +82,6 @@ VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[
     r[0] = SHUFFLE(a[0], b[0], 2, 9, 10, 11, 6, 13, 14, 15);
 }
 
-VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
-{
-    yzx[0] = SHUFFLE(a[0], a[0], 0, 2, 3, 1, 4, 6, 7, 5);
-    zxy[0] = SHUFFLE(a[0], a[0], 0, 3, 1, 2, 4, 7, 5, 6);
-}
-
 #elif VTI_WIDTH == 4
 
 VTI_INLINE void quad_of(const double x[AT_ONCE], const double y[AT_ONCE], const double z[AT_ONCE],
@@ -110,12 +104,6 @@ VTI_INLINE void quad_three_and(const part a[PARTS], const part b[PARTS], part r[
 VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[PARTS])
 {
     r[0] = SHUFFLE(a[0], b[0], 2, 5, 6, 7);
-}
-
-VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
-{
-    yzx[0] = SHUFFLE(a[0], a[0], 0, 2, 3, 1);
-    zxy[0] = SHUFFLE(a[0], a[0], 0, 3, 1, 2);
 }
 
 #elif VTI_WIDTH == 2
@@ -145,14 +133,6 @@ VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[
     r[1] = b[1];
 }
 
-VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
-{
-    yzx[0] = SHUFFLE(a[0], a[1], 0, 2);
-    yzx[1] = SHUFFLE(a[1], a[0], 1, 3);
-    zxy[0] = SHUFFLE(a[0], a[1], 0, 3);
-    zxy[1] = SHUFFLE(a[0], a[1], 1, 2);
-}
-
 #else
 
 VTI_INLINE void quad_of(const double x[AT_ONCE], const double y[AT_ONCE], const double z[AT_ONCE],
@@ -180,22 +160,6 @@ VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[
     quad_of(a + 2, b + 1, b + 2, b + 3, r);
 }
 
-VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
-{
-    quad_of(a, a + 2, a + 3, a + 1, yzx);
-    quad_of(a, a + 3, a + 1, a + 2, zxy);
-}
-
 #endif
-
-/** a x b of the last three numbers, as vti_cross has it. */
-VTI_INLINE void quad_cross(const part a[PARTS], const part b[PARTS], part r[PARTS])
-{
-    part a1[PARTS], a2[PARTS], b1[PARTS], b2[PARTS];
-    quad_cycles(a, a1, a2);
-    quad_cycles(b, b1, b2);
-    for (int k = 0; k < PARTS; ++k)
-        r[k] = a1[k] * b2[k] - a2[k] * b1[k];
-}
 
 #endif

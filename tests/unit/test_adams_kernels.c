@@ -61,6 +61,9 @@ static double sum(int64_t depth, const double *coefficient, double past[DEPTH][6
     return s;
 }
 
+/** Numbers that are left of a body that is corrected, and of one that is predicted (vti_adams_magnus.h). */
+enum { CORRECTED = 4, PREDICTED = 16 };
+
 /** r = sum of t_k a_k, which is nothing where a_k is NULL. */
 static void mix(double r[3], double t0, const double *a0, double t1, const double *a1, double t2, const double *a2)
 {
@@ -98,22 +101,20 @@ static void magnus(double a[4][3], double theta[3])
         theta[c] += 1.0 / 360.0 * s3[c] - 7.0 / 120.0 * s2[c];
 }
 
-static void predict(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[4])
+static void predict(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double *turn)
 {
-    double a[4][3];
     for (int c = 0; c < 3; ++c) {
         const double v = *at(&b->v, i, c), w = *at(&b->omega, i, c);
         *at(&b->x, i, c) += h * (v + h * sum(m->depth, adams_d, s->past[i], c));
         *at(&b->v, i, c) = v + h * sum(m->depth, adams_g, s->past[i], c);
-        a[0][c] = h * (w + h * sum(m->depth, adams_middle[0], s->past[i], 3 + c));
+        turn[1 + c] = h * (w + h * sum(m->depth, adams_middle[0], s->past[i], 3 + c));
         for (int k = 1; k < 4; ++k)
-            a[k][c] = h * h * sum(m->depth, adams_middle[k], s->past[i], 3 + c);
+            turn[4 * k + 1 + c] = h * h * sum(m->depth, adams_middle[k], s->past[i], 3 + c);
         *at(&b->omega, i, c) = w + h * sum(m->depth, adams_g, s->past[i], 3 + c);
     }
-    magnus(a, turn + 1);
 }
 
-static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[4])
+static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double *turn)
 {
     static const double ones[DEPTH] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     const double g = h * (adams_g[m->depth] + m->u), d = m->c * h * h * adams_d[m->depth];
@@ -136,23 +137,23 @@ static void correct(const vti_multistep *m, double h, struct system *s, const vt
 
 /** Bodies that one of them leaves over are for the next. */
 static void do_all(const struct vti_move_kernels *kernels, int corrects, const vti_multistep *m, const vti_past *past,
-                   const vti_bodies *b, double turn[END - FIRST][4])
+                   const vti_bodies *b, double *turn)
 {
     vti_half_step *const half[2] = {kernels->predict, kernels->correct}, *const rest[2] = {vti_move_baseline.predict,
                                                                                            vti_move_baseline.correct};
-    const int64_t stop = half[corrects](m, 0.3, past, b, FIRST, END, turn[0]);
+    const int64_t each = corrects ? CORRECTED : PREDICTED, stop = half[corrects](m, 0.3, past, b, FIRST, END, turn);
     assert_in_range(END - stop, 0, 1);
-    rest[corrects](m, 0.3, past, b, stop, END, turn[stop - FIRST]);
-    for (int i = 0; i < END - FIRST; ++i)
-        turn[i][0] = 0.0; /* says nothing */
+    rest[corrects](m, 0.3, past, b, stop, END, turn + each * (stop - FIRST));
+    for (int64_t k = 0; k < each * (END - FIRST); k += 4)
+        turn[k] = 0.0; /* says nothing */
 }
 
 static void agree(const struct vti_move_kernels *kernels)
 {
     static struct system one, many;
-    double expected[END - FIRST][4] = {{0.0}}, turn[END - FIRST][4];
     rng g = rng_seed(11);
     for (int trial = 0; trial < LAYOUTS * 2 * (int)vti_multistep_count(); ++trial) {
+        double expected[PREDICTED * (END - FIRST)] = {0.0}, turn[PREDICTED * (END - FIRST)] = {0.0};
         const vti_multistep *m = vti_multistep_at(trial / (LAYOUTS * 2));
         const int corrects = trial / LAYOUTS % 2;
         fill(&g, &one);
@@ -160,7 +161,8 @@ static void agree(const struct vti_move_kernels *kernels)
         const vti_bodies by_one = bodies_in(trial % LAYOUTS, &one), b = bodies_in(trial % LAYOUTS, &many);
         const vti_past past = {many.past[0][0], DEPTH, DEPTH};
         for (int i = FIRST; i < END; ++i)
-            (corrects ? correct : predict)(m, 0.3, &one, &by_one, i, expected[i - FIRST]);
+            (corrects ? correct : predict)(m, 0.3, &one, &by_one, i,
+                                           expected + (corrects ? CORRECTED : PREDICTED) * (i - FIRST));
         do_all(kernels, corrects, m, &past, &b, turn);
         if (!corrects || m->c != 0.0) /* else no body turns, and none is told to */
             assert_same_bits(turn, expected, sizeof expected / sizeof(double));
@@ -190,24 +192,36 @@ static vti_bodies attitudes_in(int kept, double *p)
     return b;
 }
 
-/** Turns of any size, of all numbers of bodies, among them such that only single bodies can make. */
-static void turn_alike(const struct vti_move_kernels *kernels)
+/** Turns body i by what is left of it. */
+static void turn_one(const double *by, int64_t each, const vti_bodies *b, int64_t i)
 {
-    double one[QUAT_ROOM], many[QUAT_ROOM], by[4 * TURNED];
-    static const double large[3] = {4.0, 1e12, 1e200}; /* the square of the last is infinite */
+    double a[4][3], theta[3];
+    for (int k = 0; k < each / 4; ++k)
+        memcpy(a[k], by + 4 * k + 1, sizeof a[k]);
+    if (each == PREDICTED)
+        magnus(a, theta);
+    vti_move_turn_by(each == PREDICTED ? theta : a[0], b, i);
+}
+
+/** Turns of any size, of all numbers of bodies, among them such that only single bodies can make. */
+static void turn_alike(const struct vti_move_kernels *kernels, int64_t each)
+{
+    double one[QUAT_ROOM], many[QUAT_ROOM], by[PREDICTED * TURNED];
+    static const double large[3] = {4.0, 1e12, 1e200}; /* the square of the last is infinite, */
+    const int sizes = each == PREDICTED ? 2 : 3;       /* and Magnus' vector of it NaN */
     rng g = rng_seed(12);
     for (int trial = 0; trial < 40 * KEPT; ++trial) {
         const int64_t first = trial % 3, end = first + trial % (TURNED - 2);
-        const double most = trial % 5 == 0 ? large[trial / 30 % 3] : 0.3;
+        const double most = trial % 5 == 0 ? large[trial / 30 % sizes] : 0.3;
         for (int k = 0; k < QUAT_ROOM; ++k)
             one[k] = many[k] = uniform(&g, -1.0, 1.0);
-        for (int k = 0; k < 4 * TURNED; ++k)
+        for (int k = 0; k < PREDICTED * TURNED; ++k)
             by[k] = uniform(&g, -most, most);
         const vti_bodies by_one = attitudes_in(trial % KEPT, one), b = attitudes_in(trial % KEPT, many);
-        const int64_t stop = kernels->turn(by, &b, first, end);
+        const int64_t stop = kernels->turn(by, each, &b, first, end);
         assert_in_range(end - stop, 0, 4);
         for (int64_t i = first; i < stop; ++i)
-            vti_move_turn_by(by + 4 * (i - first) + 1, &by_one, i);
+            turn_one(by + each * (i - first), each, &by_one, i);
         assert_same_bits(many, one, QUAT_ROOM);
     }
 }
@@ -276,7 +290,8 @@ TEST(numbers_of_bodies)
 static void all_kernels(const struct vti_move_kernels *kernels)
 {
     agree(kernels);
-    turn_alike(kernels);
+    turn_alike(kernels, CORRECTED);
+    turn_alike(kernels, PREDICTED);
 }
 
 TEST(baseline)
