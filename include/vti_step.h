@@ -30,8 +30,8 @@ enum vti_frame {
 VTI_API int vti_kick(double t, const vti_bodies *bodies);
 
 /** dalpha of the turn by omega for the time t, in the frame in which omega is: what a drift composes with an attitude.
- *  t and omega finite; NaN if there is no such law or no omega, or where the closed form has none. Of half a turn, which has
- *  no dalpha, the largest |component| is VTI_RRV_LARGE. */
+ *  t and omega finite; NaN if there is no such law or no omega. Where the closed form has none, h|Omega| > 1, as of a body that no
+ *  step turns, 2 t Omega, its limit. Of half a turn, which has no dalpha, the largest |component| is VTI_RRV_LARGE. */
 VTI_API void vti_drift_increment(int law, double t, const double omega[3], double dalpha[3]);
 
 /** x += t v, alpha <- alpha (+) dalpha(t Omega) by the law and frame. t finite, of either sign. All or nothing: if any

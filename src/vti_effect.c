@@ -163,11 +163,9 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
 int64_t vti_pairs_of_slice(int64_t count, const int64_t *pair, int64_t base, int64_t first, int64_t bodies,
                            int64_t *which)
 {
-    const int64_t begin = first + base, end = begin + bodies;
     int64_t n = 0;
     for (int64_t k = 0; pair != NULL && k < count; ++k) {
-        const int64_t i = pair[2 * k], j = pair[2 * k + 1];
-        if ((i < begin || i >= end) && (j < begin || j >= end))
+        if (!vti_is_body(pair[2 * k], first + base, bodies) && !vti_is_body(pair[2 * k + 1], first + base, bodies))
             continue;
         if (which != NULL)
             which[n] = k;

@@ -315,6 +315,8 @@ void vti_drift_increment(int law, double t, const double omega[3], double dalpha
         u[k] = t * omega[k];
     if (vti_law_check(law, VTI_FRAME_SPACE) == VTI_OK)
         d = increment(law, u);
+    if (law == VTI_LAW_CLOSED && vti_dot(u, u) > 1.0)
+        d.cf[0] = d.cf[1] = 1.0;
     const double pair[4] = {d.cf[1] * u[0], d.cf[1] * u[1], d.cf[1] * u[2], d.cf[0]};
     for (int k = 0; k < 3; ++k)
         dalpha[k] = 2.0 * d.cf[1] * u[k] / d.cf[0];

@@ -43,6 +43,15 @@ static const struct scene_field fields[] = {
 };
 #undef NUMBER_AT
 
+/** Of 0 there is no spring and no limit: a dashpot beside it would act without one. */
+static int check_zero(const struct scene_reader *reader, const char *limit, double value, const char *dashpot)
+{
+    if (value > 0.0 || !scene_reader_has(reader, limit) || !scene_reader_has(reader, dashpot))
+        return 0;
+    return scene_reader_fail(reader, limit, "is 0, which sets %s no limit; leave that out, or give a limit above 0",
+                             dashpot);
+}
+
 /** A coefficient and its stiffness go together; one that is 0 is what somebody may want to see. */
 static int check_pair(const struct scene_reader *reader, const char *limit, double value, const char *stiffness)
 {
@@ -66,6 +75,11 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
                                  "needs friction.sliding, that of bodies; give one above 0, as small as you like");
     if (!(f->sliding > 0.0 || f->rolling > 0.0 || f->twisting > 0.0))
         return scene_reader_fail(reader, "friction", "no coefficient above 0; give sliding, rolling or twisting");
+    if (check_zero(reader, "friction.sliding", f->sliding, "dashpot.tangential") != 0 ||
+        check_zero(reader, "friction.sliding", f->sliding, "dashpot.ratio") != 0 ||
+        check_zero(reader, "friction.rolling", f->rolling, "dashpot.rolling") != 0 ||
+        check_zero(reader, "friction.twisting", f->twisting, "dashpot.twisting") != 0)
+        return -1;
     if (linear && mindlin)
         return scene_reader_fail(reader, "friction.poisson", "given with friction.stiffness; keep one of them");
     if (f->sliding > 0.0 && !linear && !mindlin)

@@ -109,7 +109,7 @@ struct effect_surfaces {
 
 /** A step of h from `before` to `now`; the longest time between two evaluations of the forces in it is gap h. */
 struct effect_way {
-    const double *before; /* [count of bodies][width], rows that begin with x */
+    const double *before; /* [count of bodies][width], rows that begin with x and v */
     int64_t width;
     const vti_bodies *now;
     double h, gap;
@@ -221,9 +221,8 @@ struct effect_kind {
      *  most 0 where nothing touches. NULL: it has no contacts. */
     double (*deepest)(const struct effect *e, const vti_bodies *spheres);
     /** The largest change of a relative velocity by a touch that the step has missed: one that lasts no longer than the time
-     *  between two evaluations of the forces, of bodies that are apart at both ends of the step and overlap on the straight
-     *  line between. Not called for clumps. NULL: it misses none; a plane touches nothing that is apart from it at both
-     *  ends. */
+     *  between two evaluations of the forces, of bodies that are apart at both ends of the step and overlap in between. Not
+     *  called for clumps. NULL: it misses none. */
     double (*missed)(const struct effect *e, const struct effect_way *way);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);

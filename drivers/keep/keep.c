@@ -10,6 +10,7 @@
 #include <math.h>
 #include <sqlite3.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -186,6 +187,22 @@ int keep_settle(struct keep *keep, struct message *message)
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
+/** SQLite takes no path of more characters, that of its journal. */
+static int check_length(const struct keep *keep, struct message *message)
+{
+    enum { MOST = 511 };
+    char *const whole = realpath(keep->path, NULL);
+    const size_t length = whole != NULL ? strlen(whole) + strlen("-journal") : 0;
+    free(whole);
+    if (length <= MOST)
+        return 0;
+    if (!keep->there)
+        unlink(keep->path);
+    return message_set(message, "%.200s: with its folder the path has %lld characters, and at most %d can be used; use a "
+                       "shorter one with -o",
+                       keep->path, (long long)length, MOST);
+}
+
 /** Makes the file if need be, and finds out whether its file system knows locks. */
 static int probe(struct keep *keep, const char **vfs, struct message *message)
 {
@@ -206,6 +223,8 @@ static int probe(struct keep *keep, const char **vfs, struct message *message)
     *vfs = fcntl(fd, F_GETLK, &lock) == 0 ? "unix" : "unix-none";
     const int ours = left_is_ours(fd);
     close(fd);
+    if (ours && check_length(keep, message) != 0)
+        return -1;
     /* before SQLite writes to a file that is somebody's */
     return ours ? 0 : keep_damaged(keep, "is none of vti's, or is damaged", message);
 }

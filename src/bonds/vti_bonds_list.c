@@ -105,13 +105,13 @@ int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const v
     if (b == NULL || (count > 0 && (pair == NULL || rest == NULL || turn == NULL)))
         return VTI_E_NULL;
     int status = vti_bodies_ready_or(b, fault);
-    if (status == VTI_OK && !vti_has(&b->x))
+    if (status == VTI_OK && count > 0 && !vti_has(&b->x))
         return vti_refuse(VTI_E_NEEDS, -1, 0.0, VTI_QUANTITY_X, fault);
     if (status == VTI_OK && count > 0 && partial(b) != VTI_QUANTITY_NONE)
         return vti_refuse(VTI_E_VIEW, -1, 0.0, partial(b), fault);
     if (status == VTI_OK)
         status = now_check(count, pair, base, b, fault);
-    if (status == VTI_OK)
+    if (status == VTI_OK && count > 0)
         status = vti_bonds_rest(count, pair, base, &b->x, rest, fault);
     for (int64_t k = 0; status == VTI_OK && k < count; ++k)
         turn_now(pair + 2 * k, base, b, rest + 4 * k, turn + 4 * k);

@@ -130,9 +130,10 @@ int vti_rupture_check(const vti_rupture *rupture, vti_fault *fault)
         return VTI_E_COUNT;
     limits_of(rupture, limit);
     for (int64_t k = 0; k < bonds->count; ++k) {
-        const int64_t id = rupture->id[k], m = id - bonds->base, after = k > 0 ? rupture->id[k - 1] : bonds->base - 1;
-        if (id <= after)
+        const int64_t id = rupture->id[k], least = k > 0 ? rupture->id[k - 1] : bonds->base;
+        if (k > 0 ? id <= least : id < least)
             return vti_refuse(VTI_E_BOND, k, (double)id, VTI_QUANTITY_NONE, fault);
+        const int64_t m = id - bonds->base;
         for (int c = 0; c < LIMITS; ++c) {
             if (limit[c]->p == NULL)
                 continue;
@@ -179,7 +180,7 @@ vti_effect vti_rupture_effect(const vti_rupture *rupture)
 int vti_rupture_take_out(const vti_rupture *rupture, int64_t count, const int64_t *id)
 {
     const vti_rupture *p = rupture;
-    if (p == NULL || p->bonds == NULL || p->id == NULL || (count > 0 && id == NULL))
+    if (p == NULL || p->bonds == NULL || p->id == NULL || (count > 0 && (id == NULL || !vti_bonds_has_list(p->bonds))))
         return VTI_E_NULL;
     if (count < 0)
         return VTI_E_COUNT;

@@ -146,9 +146,11 @@ double vti_contacts_stiffness(const vti_contacts *contacts, int64_t k)
 {
     if (contacts == NULL || vti_contacts_list_check(contacts) != VTI_OK || k < 0 || k >= contacts->count)
         return NAN;
-    const int64_t i = contacts->pair[2 * k] - contacts->base, j = contacts->pair[2 * k + 1] - contacts->base;
-    const int64_t last = i > j ? i : j;
-    if (i < 0 || j < 0 || vti_ends_before(&contacts->diameter, last) || vti_ends_before(&contacts->modulus, last) ||
+    const int64_t *const pair = contacts->pair + 2 * k, base = contacts->base;
+    if (!vti_is_body(pair[0], base, INT64_MAX) || !vti_is_body(pair[1], base, INT64_MAX))
+        return NAN;
+    const int64_t i = pair[0] - base, j = pair[1] - base, last = i > j ? i : j;
+    if (vti_ends_before(&contacts->diameter, last) || vti_ends_before(&contacts->modulus, last) ||
         vti_ends_before(&contacts->length, k))
         return NAN;
     return vti_contact_stiffness(contacts, i, j, vti_contact_length(contacts, k, i, j));

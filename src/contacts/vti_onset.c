@@ -143,7 +143,7 @@ static int check(double h, const vti_view *before, const vti_contacts *contacts,
     int status = vti_bodies_ready(b);
     if (status == VTI_OK)
         status = vti_multistep_suits(b, NULL);
-    if (status != VTI_OK)
+    if (status != VTI_OK || b->count == 0)
         return status;
     if (before == NULL)
         return VTI_E_NULL;

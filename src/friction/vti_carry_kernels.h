@@ -39,7 +39,9 @@ VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lan
         dalpha[k] = u[k] = drifted->t * omega[k];
     if (law == VTI_LAW_CAYLEY)
         return;
-    const lanes s2 = lanes_dot(u, u);
+    lanes s2 = lanes_dot(u, u);
+    if (law == VTI_LAW_CLOSED) /* of a body that no step turns */
+        s2 = lanes_where(s2 > 1.0, lanes_of(1.0), s2);
     drift_law(law, s2, cf);
     if (law != VTI_LAW_CLOSED) { /* beyond, the fraction of a turn is lost, and half a turn as good as any */
         const lanes_mask within = s2 < 0x1p60;

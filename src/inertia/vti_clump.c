@@ -38,8 +38,7 @@ vti_bodies vti_clumps_spheres(const vti_clumps *c, const vti_bodies *b)
 
 static int sphere_check(const vti_clumps *c, int64_t s, int64_t n, vti_fault *fault)
 {
-    const int64_t i = c->body[s] - c->base;
-    if (i < 0 || i >= n || (s > 0 && c->body[s] < c->body[s - 1]))
+    if (!vti_is_body(c->body[s], c->base, n) || (s > 0 && c->body[s] < c->body[s - 1]))
         return vti_refuse(VTI_E_CLUMP, s, (double)c->body[s], VTI_QUANTITY_NONE, fault);
     for (int k = 0; k < 3; ++k)
         if (!isfinite(c->offset[3 * s + k]))
@@ -85,7 +84,7 @@ int vti_clump_ready(const vti_clumps *c, const vti_bodies *b)
         status = vti_bodies_fault(&c->spheres, NULL);
     if (status == VTI_OK && c->count > 0 && is_shared(&c->spheres, b)) /* empty arrays may share an address */
         status = VTI_E_ALIAS;
-    return status == VTI_OK && !vti_has_attitude(b) ? VTI_E_NEEDS : status;
+    return status == VTI_OK && c->count > 0 && !vti_has_attitude(b) ? VTI_E_NEEDS : status;
 }
 
 /* ---- spread and gather ------------------------------------------------------------------------------------------- */

@@ -220,7 +220,7 @@ TEST(grazing)
         end(&j);
         assert_true(after[1] < c->after);
         for (int n = 0; n < 48; ++n) {
-            graze(&j, folder, c, &controlled_at(n % 3)->stepper, 1e-6, c->h[1], 10.3 + 0.03 * n);
+            graze(&j, folder, c, &controlled_at(n % 2 * 2)->stepper, 1e-6, c->h[1], 10.3 + 0.03 * n);
             const vti_bodies b = travel_bodies(&j.travel);
             for (int k = 0; k < 3; ++k)
                 assert_close(b.v.c[k][0], after[k], c->tolerance);
@@ -238,6 +238,47 @@ static void assert_refused(const char *where, const char *name, double tolerance
     assert_no_journey(&scene, name, words);
 }
 
+/** Thrown at a ceiling that gravity turns it back inside of. */
+static void throw_up(struct journey *j, const char *folder, const vti_stepper *method, double tolerance, double h,
+                     double speed)
+{
+    const double gravity = 2.0, deep = 0.01; /* the ceiling is at 0, the radius 1/2 */
+    char path[SCENE_PATH_SIZE];
+    snprintf(path, sizeof path, "%s/ceiling.yaml", folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file,
+            "bodies: {x: [0, 0, %.17g], v: [0, 0, %.17g], mass: 1, diameter: 1}\n"
+            "wall: {stiffness: 50, planes: [[0, 0, -1, 0]]}\ngravity: [0, 0, %g]\nh: 1\nt_end: 1\n",
+            deep - 0.5 - 0.5 * speed * speed / gravity, speed, -gravity);
+    fclose(file);
+    if (scene_read(path, NULL, 0, &j->scene, &j->message) != 0)
+        fail_msg("%s", j->message.text);
+    j->scene.tolerance = tolerance;
+    begin(j, &j->scene, method, h);
+    go(j, loop_steps(2.0, h));
+    remove(path);
+}
+
+/** It touches for less than the time between two evaluations, and comes back as by short steps, whenever it was thrown. */
+TEST(ceiling)
+{
+    struct journey j;
+    char folder[SCENE_PATH_SIZE];
+    assert_true(scratch_make(folder, sizeof folder));
+    for (int n = 0; n < 20; ++n) {
+        const double speed = 1.75 + 0.03 * n;
+        throw_up(&j, folder, method_of("srkn6"), 0.0, 0x1p-12, speed);
+        const double after = j.model.bodies.v.c[2][0];
+        end(&j);
+        assert_true(after < speed - 4.0 - 0.01); /* as free flight has it, and the touch */
+        throw_up(&j, folder, &controlled_at(n % 2 * 2)->stepper, 1e-7, 0.125, speed);
+        assert_close(j.model.bodies.v.c[2][0], after, 1e-5);
+        end(&j);
+    }
+    rmdir(folder);
+}
+
 /** A tolerance below rounding is not met by any step. */
 TEST(refused)
 {
@@ -246,6 +287,7 @@ TEST(refused)
     assert_refused("chain", "rk8pd-adaptive", 1e-6, "no estimate");
     assert_refused("drum", "srkn11", 1e-6, "a step that is undone would have dissipated already");
     assert_refused("chain", "srkn11", 1e-20, "less than rounding leaves of velocities");
+    assert_refused("torus", "srkn14", 1e-6, "begin and end with a drift");
     assert_refused("drum", "srkn11-tol", 0.0, "take vti2, vti1, exact or chin4");
 }
 
@@ -294,5 +336,5 @@ TEST(too_short)
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
                     cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
-                    cmocka_unit_test(grazing), cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
+                    cmocka_unit_test(grazing), cmocka_unit_test(ceiling), cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
                     cmocka_unit_test(too_late), cmocka_unit_test(too_short))

@@ -147,6 +147,19 @@ TEST(no_bodies)
     assert_true(vti_energy(all, 2, &none) == 0.0);
     assert_int_equal(vti_effects_begin(vti_stepper_find("vti2"), 0.1, all, 3, &none, NULL), VTI_OK);
     assert_int_equal(vti_effects_finish(vti_stepper_find("vti2"), 0.1, all, 3, &none), VTI_OK);
+    const vti_bonds bonds = {.moment = vti_scalars_one(mass), .axial = vti_scalars_one(mass)};
+    assert_int_equal(vti_bonds_rest_now(0, NULL, 0, &none, NULL, NULL, NULL), VTI_OK);
+    assert_int_equal(vti_bonds_loads(&bonds, &none, 0, 0, NULL), VTI_OK);
+    assert_int_equal(vti_bonds_sum(&bonds, NULL, 0, 0, &none), VTI_OK);
+    const vti_clumps clumps = {.spheres = none};
+    assert_int_equal(vti_clumps_spread(&clumps, &none), VTI_OK);
+    assert_int_equal(vti_clumps_gather(&clumps, &none), VTI_OK);
+    vti_bodies empty = none; /* arrays without numbers may share an address */
+    empty.x = empty.v = empty.force = vti_view_packed((double *)plane);
+    empty.mass = vti_scalars_one(mass);
+    vti_bodies probed = empty;
+    assert_int_equal(vti_step_probe(vti_stepper_find("chin4"), 1, 0.1, &empty, &probed), VTI_OK);
+    assert_int_equal(vti_multistep_touch(0.1, &empty.x, NULL, &walls, &empty), VTI_OK);
 }
 
 /** Who books has memory for it, of all bodies if of each. */

@@ -184,6 +184,11 @@ static double deepest(const struct effect *e, const vti_bodies *spheres)
     return share;
 }
 
+static double missed(const struct effect *e, const struct effect_way *way)
+{
+    return wall_missed(walls_of(e), way);
+}
+
 /** The body of a sphere as people number it. */
 static long long number_of(const struct model *model, int64_t sphere)
 {
@@ -247,6 +252,7 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .deform = deform,
                                         .held = held,
                                         .deepest = deepest,
+                                        .missed = missed,
                                         .planes = &faces,
                                         .surfaces = surfaces,
                                         .by_material = by_material,

@@ -52,6 +52,9 @@ double wall_held(const vti_walls *walls, const vti_bodies *spheres);
  *  *share = least if there is none. */
 int64_t wall_deepest(const vti_walls *walls, const vti_bodies *spheres, double least, double *share, int64_t *wall);
 
+/** The largest change of a body's velocity by a touch that the step has missed; as in kind.h (wall_missed.c). */
+double wall_missed(const vti_walls *walls, const struct effect_way *way);
+
 /** The first sphere that is as wide as the cylinder it is in, with *wall; -1 if there is none. */
 int64_t wall_first_filled(const vti_walls *walls, const vti_bodies *spheres, int64_t *wall);
 
