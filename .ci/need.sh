@@ -25,7 +25,8 @@ more  | command:valgrind                  | valgrind                   | valgrin
 more  | command:cmake                     | cmake                      | cmake              | cmake             | cmake
 '
 
-# there KIND:NAME...: whether one of them is; header:COMPILER/NAME is one that this compiler finds (Debian has mpicc without it)
+# there KIND:NAME...: whether one of them is; header:COMPILER/NAME is one that this compiler finds (Debian has mpicc
+# without it)
 there() {
     for what in "$@"; do
         name=${what#*:}
@@ -54,9 +55,9 @@ column() {
     cut -d'|' -f"$1" | tr -s ' ' '\n' | awk '$0 != "" && $0 != "-" && !seen[$0]++' | paste -s -d' ' -
 }
 
-# need GROUP...: sees that what they need is there. An environment that has it all (conda, modules, spack) is taken as it is;
-# where something is missing the system's own programs come first (another python or meson does not see the system's packages),
-# and what is missing then is installed by apt, or named for those who have no apt.
+# need GROUP...: sees that what they need is there. An environment that has it all (conda, modules, spack) is taken as
+# it is; where something is missing the system's own programs come first (another python or meson does not see the
+# system's packages), and what is missing then is installed by apt, or named for those who have no apt.
 need() {
     [ -n "$(missing "$@")" ] || return 0
     if command -v dpkg-query >/dev/null; then

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What advice is worth: on 21 pairs of a scene and an end, of which twelve have contacts and four dissipate (two do both), and errors
-from 1e-2 to 1e-8, how often the error of the advised run lies in the interval that vti-advise prints, and what its pilots took of that
-run.
+"""What advice is worth: on 21 pairs of a scene and an end, of which twelve have contacts and four dissipate (two do
+both), and errors from 1e-2 to 1e-8, how often the error of the advised run lies in the interval that vti-advise prints,
+and what its pilots took of that run.
 
 usage: advice.py BUILD SCENES [NAME...]      all cases, or those whose names begin so; held-out: eight scenes by which no
                                              factor of the intervals was set

@@ -31,21 +31,21 @@ struct bench_bodies {
 int bench_bodies_make(struct bench_bodies *b, enum bench_layout layout, int64_t n);
 void bench_bodies_free(struct bench_bodies *b);
 
-/** What the loops of the same bytes do with n bodies in this memory: one pass, with a drift or without. */
-void bench_pass(double *memory, int64_t n, int drifts);
+/** Sums that nobody reads, or the compiler would leave loops out. */
 extern double bench_sums[];
 
 /** Uniform in [-1, 1). */
 double bench_random(uint64_t *seed);
 
-/** Memory for so many numbers that begins with a line of the cache, as LAMMPS takes its own; NULL where there is none. */
+/** Memory for so many numbers that begins with a line of the cache, as LAMMPS takes its own; NULL where there is
+ *  none. */
 double *bench_numbers(int64_t count);
 
 /** Adds steps of these bodies and loops that move the same bytes. Returns how many cases there are then. */
 int bench_bodies_cases(struct bench_bodies *b, struct bench_case *cases, int count);
 
-/** Adds the most operations of a core, by the widest vectors that it has: an item is one. Returns how many cases there are
- *  then. */
+/** Adds the most operations of a core, by the widest vectors that it has: an item is one. Returns how many cases there
+ *  are then. */
 int bench_peak_cases(struct bench_case *cases, int count);
 
 /** n bodies of three moments, packed, in memory of their own: as spheres that only drift, as tops that do, as spheres

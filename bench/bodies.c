@@ -163,7 +163,7 @@ VTI_INLINE void read_constants(const double *mass, const double *inertia, int64_
 
 /** What a kick reads and writes, and a drift after it, where arrays lie whole; by tiles, so that each number comes from
  *  memory once. By the widest vectors that the machine has, whatever the steps beside it have. */
-VTI_INLINE void bench_pass_loops(double *memory, int64_t n, int drifts)
+VTI_INLINE void pass_loops(double *memory, int64_t n, int drifts)
 {
     for (int64_t first = 0; first < n; first += TILE) {
         const int64_t count = n - first < TILE ? n - first : TILE;
@@ -180,19 +180,20 @@ VTI_INLINE void bench_pass_loops(double *memory, int64_t n, int drifts)
     }
 }
 
-WIDE(bench_pass, (double *memory, int64_t n, int drifts), (memory, n, drifts))
+static void pass(double *memory, int64_t n, int drifts);
+WIDE(pass, (double *memory, int64_t n, int drifts), (memory, n, drifts))
 
 static void bytes_step(void *self)
 {
     const struct bench_bodies *b = self;
-    bench_pass(b->memory, b->n, 1);
-    bench_pass(b->memory, b->n, 0);
+    pass(b->memory, b->n, 1);
+    pass(b->memory, b->n, 0);
 }
 
 static void bytes_next(void *self)
 {
     const struct bench_bodies *b = self;
-    bench_pass(b->memory, b->n, 1);
+    pass(b->memory, b->n, 1);
 }
 
 /* ---- cases ------------------------------------------------------------------------------------------------------- */

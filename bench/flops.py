@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a step computes:  flops.py COST.  Prints CSV: instructions and floating-point operations per body, bond or touching pair and step
-of vti2. COST is build/bench/cost; callgrind counts how often each of its instructions is executed, objdump tells which of them
-compute, and on how many numbers: a sum, difference, product, quotient or root is one operation of each. Start-up is left out, as the
-difference of two runs. By the kernels for AVX2, the widest that callgrind knows; others compute the same."""
+"""What a step computes:  flops.py COST.  Prints CSV: instructions and floating-point operations per body, bond or
+touching pair and step of vti2. COST is build/bench/cost; callgrind counts how often each of its instructions is
+executed, objdump tells which of them compute, and on how many numbers: a sum, difference, product, quotient or root is
+one operation of each. Start-up is left out, as the difference of two runs. By the kernels for AVX2, the widest that
+callgrind knows; others compute the same."""
 import collections
 import os
 import re

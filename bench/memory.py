@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What bodies and bonds take:  memory.py VTI-RUN [SMALL LARGE].  Prints CSV: bytes of memory that vti-run holds at most, by one thread and
-by two, per body and per bond: the differences between lattices of SMALL^3 and of LARGE^3 spheres (default 40 and 64), and
-between those with bonds and those without; and per body of lattices whose spheres touch, by contact alone and with friction and
-dashpots. Start and libraries are left out so."""
+"""What bodies and bonds take:  memory.py VTI-RUN [SMALL LARGE].  Prints CSV: bytes of memory that vti-run holds at
+most, by one thread and by two, per body and per bond: the differences between lattices of SMALL^3 and of LARGE^3
+spheres (default 40 and 64), and between those with bonds and those without; and per body of lattices whose spheres
+touch, by contact alone and with friction and dashpots. Start and libraries are left out so."""
 import os
 import subprocess
 import sys

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * As many sums and products as a core can do, in vector registers. Seven of each do not wait for one another: so many are
- * under way at once in processors that begin two of a kind in each cycle and need three or four for one. */
+ * As many sums and products as a core can do, in vector registers. Seven of each do not wait for one another: so many
+ * are under way at once in processors that begin two of a kind in each cycle and need three or four for one. */
 #include "bench.h"
 
 #if defined(__GNUC__) && defined(__x86_64__)

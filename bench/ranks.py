@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ranks would share:  ranks.py VTI-STUDY.  Runs two studies by one rank and prints CSV: the seconds that each takes, and that it
-would take by 2, 4, 8 ... 1024 ranks: a simulation. Ranks take runs (of a sweep: points, with all their runs) as vti-study hands
-them out, the longest first (points in order), each as long as it was measured to take. Each point of a sweep has a reference of
-its own, which is a part of it; that of a study is taken to be shared by none, as start and files are. What messages take is left
-out. Points are taken AGAIN times, so that there are enough of them for the most ranks."""
+"""What ranks would share:  ranks.py VTI-STUDY.  Runs two studies by one rank and prints CSV: the seconds that each
+takes, and that it would take by 2, 4, 8 ... 1024 ranks: a simulation. Ranks take runs (of a sweep: points, with all
+their runs) as vti-study hands them out, the longest first (points in order), each as long as it was measured to take.
+Each point of a sweep has a reference of its own, which is a part of it; that of a study is taken to be shared by none,
+as start and files are. What messages take is left out. Points are taken AGAIN times, so that there are enough of them
+for the most ranks."""
 import csv
 import heapq
 import os

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What vti-run --renumber saves where tables have bodies and bonds in random order: renumber.py VTI_RUN [SIDE [ROUNDS]]
 
-Bonded spheres on a cubic lattice of SIDE^3 (46), in random order; processor time of a step on one thread, without and with
---renumber, each in every round (5). A step is the difference of two runs of 2 and 42 steps."""
+Bonded spheres on a cubic lattice of SIDE^3 (46), in random order; processor time of a step on one thread, without and
+with --renumber, each in every round (5). A step is the difference of two runs of 2 and 42 steps."""
 import os
 import random
 import resource

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What cores share:  scaling.py VTI-RUN VTI-STUDY CORES [ROUNDS].  Prints CSV: seconds of one scene's steps by 1, 2, 4 ... CORES
-threads; of as many runs of one thread at once, which share nothing but the machine; and of whole studies by as many ranks. Each the
-median and the least of rounds in which all have their turn."""
+"""What cores share:  scaling.py VTI-RUN VTI-STUDY CORES [ROUNDS].  Prints CSV: seconds of one scene's steps by 1, 2, 4
+... CORES threads; of as many runs of one thread at once, which share nothing but the machine; and of whole studies by
+as many ranks. Each the median and the least of rounds in which all have their turn."""
 import os
 import shutil
 import statistics

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What threads share of a step:  shared.py VTI-RUN.  Prints CSV: instructions of a step of bench/lattice.yaml per body, and of these the
-ones in parts that any thread may take, by callgrind: differences of two runs, so that start and files are left out."""
+"""What threads share of a step:  shared.py VTI-RUN.  Prints CSV: instructions of a step of bench/lattice.yaml per body,
+and of these the ones in parts that any thread may take, by callgrind: differences of two runs, so that start and files
+are left out."""
 import os
 import re
 import shutil

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What measuring adds to a step:  study_step.py VTI-STUDY [ROUNDS [H]].  Prints CSV: nanoseconds of a step of the paper's pendulum alone
-and of one that a study compares with the reference and takes energies and momenta of, and their ratio. In each round both have
-their turn, one after the other; medians of the rounds, the ratio's least and largest too."""
+"""What measuring adds to a step:  study_step.py VTI-STUDY [ROUNDS [H]].  Prints CSV: nanoseconds of a step of the
+paper's pendulum alone and of one that a study compares with the reference and takes energies and momenta of, and their
+ratio. In each round both have their turn, one after the other; medians of the rounds, the ratio's least and largest
+too."""
 import csv
 import os
 import statistics

@@ -66,8 +66,8 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/** Half of the times lie between the first and the third quartile, q; the median of r times that scatter as Gauss has it
- *  errs by 0.93 (q3 - q1)/sqrt(r). */
+/** Half of the times lie between the first and the third quartile, q; the median of r times that scatter as Gauss has
+ *  it errs by 0.93 (q3 - q1)/sqrt(r). */
 static int is_known(const struct timing *t, int64_t r)
 {
     enum { SHARE = 50 };
@@ -93,8 +93,8 @@ static double nanoseconds(const struct bench_case *c, int64_t calls)
     return 1e9 * turn(c, calls) / ((double)calls * (double)c->items);
 }
 
-/** Another order of so many cases in each round: a case that follows one on other memory finds less of its own in a large
- *  cache, however often that is fetched first, than one that follows one on its own. */
+/** Another order of so many cases in each round: a case that follows one on other memory finds less of its own in a
+ *  large cache, however often that is fetched first, than one that follows one on its own. */
 static void shuffle(int *order, int count, uint64_t *seed)
 {
     for (int k = 0; k < count; ++k) {

@@ -193,8 +193,8 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
-        !> Puts what a touch holds into the table; VTI_E_HISTORY if there is no room. A restart begins
-        !> with an empty table: it writes the slots.
+        !> Puts what a touch holds into the table; VTI_E_HISTORY if there is no room. A restart begins with an empty
+        !> table: it writes the slots.
         function vti_history_add(history, held) result(status) bind(c)
             import :: c_int, vti_held, vti_history
             type(vti_history), intent(inout) :: history

@@ -8,7 +8,8 @@
 !> The effect of a pointer to nothing is refused by vti_effects_check (VTI_E_NULL) and by all that ask it, and has
 !> energy NaN.
 module vti_effects
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_int64_t, c_loc, c_null_ptr, &
+        c_ptr
     use vti_c_effects
     use vti_steps, only: from_one, handle
     use vti_types

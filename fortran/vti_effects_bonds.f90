@@ -3,7 +3,8 @@
 !> vti_effects_bonds -- bonds, what breaks them, their dashpots. Part of module vti.
 !>
 !> As in vti_effects what an effect points to has TARGET, stays where it is, and outlives it; bodies in pairs count from
-!> 1. Arrays of the wrong shape give a count of -1: vti_bonds_check refuses it, and its effect as it does one of nothing.
+!> 1. Arrays of the wrong shape give a count of -1: vti_bonds_check refuses it, and its effect as it does one of
+!> nothing.
 module vti_effects_bonds
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
     use vti_c, only: vti_bodies_check

@@ -71,9 +71,9 @@ subroutine vtichk(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, ibody, value, ier
 end subroutine
 
 !> NAME = which of its arrays VTICHK refuses, as vti_quantity_text has it: 'x', 'v', 'force', 'alpha' (A), 'omega' (W),
-!> 'moment' (T), 'mass' (RM), 'inertia' (RI), 'moments' and 'spin' (RI and W of NI = 3*N); of two
-!> that are the same memory, the one that this list has later (RM and RI, which are only read, may be any). LB and
-!> LC are those of all arrays: if they are wrong, 'x' is. 'value' if VTICHK refuses none of them.
+!> 'moment' (T), 'mass' (RM), 'inertia' (RI), 'moments' and 'spin' (RI and W of NI = 3*N); of two that are the same
+!> memory, the one that this list has later (RM and RI, which are only read, may be any). LB and LC are those of all
+!> arrays: if they are wrong, 'x' is. 'value' if VTICHK refuses none of them.
 subroutine vtiqty(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, name)
     use vti_f77_arrays
     use vti, only: vti_fault, vti_quantity_text

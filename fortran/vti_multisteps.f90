@@ -62,7 +62,8 @@ module vti_multisteps
             type(c_ptr) :: method
         end function
 
-        function c_multistep_predict(method, h, past, bodies, fault) result(status) bind(c, name='vti_multistep_predict')
+        function c_multistep_predict(method, h, past, bodies, fault) result(status) &
+            bind(c, name='vti_multistep_predict')
             import :: c_double, c_int, vti_bodies, vti_fault, vti_multistep, vti_past
             type(vti_multistep), intent(in) :: method
             real(c_double), value :: h
@@ -72,7 +73,8 @@ module vti_multisteps
             integer(c_int) :: status
         end function
 
-        function c_multistep_touch(h, before, contacts, walls, bodies) result(status) bind(c, name='vti_multistep_touch')
+        function c_multistep_touch(h, before, contacts, walls, bodies) result(status) &
+            bind(c, name='vti_multistep_touch')
             import :: c_double, c_int, c_ptr, vti_bodies, vti_view
             real(c_double), value :: h
             type(vti_view), intent(in) :: before
@@ -84,8 +86,8 @@ module vti_multisteps
 
 contains
 
-    !> By its name in vti_multistep.h ("an4", ...); trailing blanks do not matter. Depth 0, which every call refuses with
-    !> VTI_E_STEPPER, if there is none.
+    !> By its name in vti_multistep.h ("an4", ...); trailing blanks do not matter. Depth 0, which every call refuses
+    !> with VTI_E_STEPPER, if there is none.
     function vti_multistep_find(name) result(method)
         character(len=*), intent(in) :: name
         type(vti_multistep) :: method
@@ -108,8 +110,8 @@ contains
         method = constant
     end function
 
-    !> Moves the bodies to where they will be but for the correction. VTI_E_PAST, and nothing is written, while less than
-    !> K accelerations are known.
+    !> Moves the bodies to where they will be but for the correction. VTI_E_PAST, and nothing is written, while less
+    !> than K accelerations are known.
     function vti_multistep_predict(method, h, past, bodies, fault) result(status)
         type(vti_multistep), intent(in) :: method
         real(c_double), intent(in) :: h
@@ -122,8 +124,8 @@ contains
         if (present(fault)) fault = from_one(found)
     end function
 
-    !> After vti_multistep_correct: takes off what the step missed of contacts and walls that have begun or ended to touch
-    !> in it. before is x as it was at its start.
+    !> After vti_multistep_correct: takes off what the step missed of contacts and walls that have begun or ended to
+    !> touch in it. before is x as it was at its start.
     function vti_multistep_touch(h, before, bodies, contacts, walls) result(status)
         real(c_double), intent(in) :: h
         type(vti_view), intent(in) :: before

@@ -13,8 +13,8 @@ module vti_steps
     public :: from_one, handle ! for the other modules here
 
     interface
-        !> Adds the forces and moments of kick k, 0 <= k <= stages, to the sums of a step; k = 0 begins anew. To be called
-        !> before vti_step_begin (k = 0), before vti_step_stage(k), and before vti_step_finish (k = stages).
+        !> Adds the forces and moments of kick k, 0 <= k <= stages, to the sums of a step; k = 0 begins anew. To be
+        !> called before vti_step_begin (k = 0), before vti_step_stage(k), and before vti_step_finish (k = stages).
         function vti_step_watch(method, k, h, bodies, errors) result(status) bind(c)
             import :: c_double, c_int, c_int64_t, vti_bodies, vti_errors, vti_stepper
             type(vti_stepper), intent(in) :: method

@@ -137,13 +137,13 @@ module vti_types
     !> drift) the same with type(vti_clumps), intent(in) :: clumps; carry(self, bodies, drifted) is one with
     !> type(vti_drifted), intent(in) :: drifted; rupture(self, bodies) is a bind(c) function of an integer(c_int64_t).
     !> needs and gives have a bit for each quantity: ibset(0_c_int64_t, VTI_QUANTITY_X). booked is the address of an
-    !> array of as many type(vti_sum) as books says; by_body is null, or that of an array (of_body, bodies) of them: what
-    !> of booked each body has lost, in the first books of a column. springs(self, bodies, at, visit, context) is a bind(c) function of
-    !> an integer(c_int), VTI_OK if all is well, that calls vti_show_spring(visit, context, spring) for each of its
-    !> springs; type(c_ptr), value :: at, context (at is null or the address of a vti_deformation); type(c_funptr),
-    !> value :: visit. Without springs an effect has no bound on the step; c_funloc(vti_springs_none) says that its
-    !> force does not change with position. needs to of_body are what the parameters were when the effect was made: make
-    !> it again when a term appears or goes, or walls begin to move.
+    !> array of as many type(vti_sum) as books says; by_body is null, or that of an array (of_body, bodies) of them:
+    !> what of booked each body has lost, in the first books of a column. springs(self, bodies, at, visit, context) is a
+    !> bind(c) function of an integer(c_int), VTI_OK if all is well, that calls vti_show_spring(visit, context, spring)
+    !> for each of its springs; type(c_ptr), value :: at, context (at is null or the address of a vti_deformation);
+    !> type(c_funptr), value :: visit. Without springs an effect has no bound on the step; c_funloc(vti_springs_none)
+    !> says that its force does not change with position. needs to of_body are what the parameters were when the effect
+    !> was made: make it again when a term appears or goes, or walls begin to move.
     type, bind(c) :: vti_effect
         type(c_ptr) :: name = c_null_ptr
         type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr, &
@@ -191,8 +191,8 @@ module vti_types
         type(c_ptr) :: turn = c_null_ptr
     end type
 
-    !> What bonds bear: bonds is the address of a vti_bonds, id that of as many numbers, 1, 2, 3 ..., and lost that of one
-    !> type(vti_sum), zero at the start. pair, rest, turn, the bonds' arrays of stiffnesses and id are written when
+    !> What bonds bear: bonds is the address of a vti_bonds, id that of as many numbers, 1, 2, 3 ..., and lost that of
+    !> one type(vti_sum), zero at the start. pair, rest, turn, the bonds' arrays of stiffnesses and id are written when
     !> bonds leave: what has left stands behind the bonds%count that hold. Limits that are absent are none.
     type, bind(c) :: vti_rupture
         type(c_ptr) :: bonds = c_null_ptr, id = c_null_ptr
@@ -214,9 +214,9 @@ module vti_types
         real(c_double) :: sliding(3) = 0, rolling(3) = 0, twisting = 0
     end type
 
-    !> What touches hold; slots is a power of 2, held the address of an array of as many type(vti_held), of which the first
-    !> used hold something, slot that of an array of as many integer(c_int64_t), zeros at the start. A restart puts what
-    !> was held into an empty one by vti_history_add, which writes the slots.
+    !> What touches hold; slots is a power of 2, held the address of an array of as many type(vti_held), of which the
+    !> first used hold something, slot that of an array of as many integer(c_int64_t), zeros at the start. A restart
+    !> puts what was held into an empty one by vti_history_add, which writes the slots.
     type, bind(c) :: vti_history
         integer(c_int64_t) :: slots = 0, used = 0, missed = 0
         type(c_ptr) :: held = c_null_ptr, slot = c_null_ptr
@@ -235,7 +235,8 @@ module vti_types
 
     !> Dashpots of contacts and planes. contacts, walls and friction are the addresses of such types, or null; lost is
     !> that of an array of four type(vti_sum), zeros at the start: what the normal, tangential, rolling and twisting
-    !> motions have lost. reach, which has to be given, is what gap the lists go up to; huge(1d0) where they have all pairs.
+    !> motions have lost. reach, which has to be given, is what gap the lists go up to; huge(1d0) where they have all
+    !> pairs.
     type, bind(c) :: vti_dashpots
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr, friction = c_null_ptr
         real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0
@@ -244,9 +245,9 @@ module vti_types
         type(c_ptr) :: lost = c_null_ptr, wall_zeta = c_null_ptr, by_body = c_null_ptr
     end type
 
-    !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays. All pairs
-    !> share one stiffness, or it follows from the bodies' modulus E/(1 - nu^2); length is the distance at which each
-    !> pair begins to touch, where that is not the mean of the diameters.
+    !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays. All pairs share one
+    !> stiffness, or it follows from the bodies' modulus E/(1 - nu^2); length is the distance at which each pair begins
+    !> to touch, where that is not the mean of the diameters.
     type, bind(c) :: vti_contacts
         integer(c_int64_t) :: count = 0
         type(c_ptr) :: pair = c_null_ptr

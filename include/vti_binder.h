@@ -41,7 +41,8 @@ typedef struct vti_bonds {
 } vti_bonds;
 
 /** rest[count][4] of the pairs from the positions x of the rest configuration. VTI_E_BOND, with fault->body the number
- *  of the bond (from 0), if its bodies coincide, or one comes before the first or, where x has a count, after the last. */
+ *  of the bond (from 0), if its bodies coincide, or one comes before the first or, where x has a count, after the
+ *  last. */
 VTI_API int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest,
                            vti_fault *fault);
 /** rest[count][4] and turn[count][4] of pairs that are to be at rest where the bodies are now, turned as they are:

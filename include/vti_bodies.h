@@ -170,8 +170,8 @@ static inline vti_scalars vti_scalars_array(const double *values)
 }
 
 /** A double member of an array of structs: p is the member in element 0, bytes the size of a struct. That must be a
- *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed; a term of bonds is off
- *  without. */
+ *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed; a term of bonds
+ *  is off without. */
 static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
 {
     const int64_t size = sizeof(double);
@@ -205,20 +205,20 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
 /** What can be seen without looking at a body: ABI, counts, views that are half given or too short, strides of 0 or by
  *  which components meet, views that share memory, mass or inertia missing or, where there is one for all, not finite
  *  or not positive. Every call that moves bodies checks this first. Views share memory if one number of the slice
- *  belongs to both: members of structs lie between each other and do not; masses,
- *  inertias and what is one for all are only read, and not looked for. That is decided exactly from addresses,
- *  strides and count, in a time that does not depend on count; but for views of different strides of which one is 2^31
- *  doubles or more, which pass. VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT (negative, or a view is too short), VTI_E_VIEW (half
- *  given), VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_MOMENTS. */
+ *  belongs to both: members of structs lie between each other and do not; masses, inertias and what is one for all are
+ *  only read, and not looked for. That is decided exactly from addresses, strides and count, in a time that does not
+ *  depend on count; but for views of different strides of which one is 2^31 doubles or more, which pass. VTI_E_NULL,
+ *  VTI_E_ABI, VTI_E_COUNT (negative, or a view is too short), VTI_E_VIEW (half given), VTI_E_STRIDE, VTI_E_ALIAS,
+ *  VTI_E_MASS, VTI_E_INERTIA, VTI_E_MOMENTS. */
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
 
 /** vti_bodies_check once and for all: if it passes, this object is marked, and later calls with it do not check again.
  *  For hosts that step few bodies very often. A copy, as a slice is, is another object: it is looked at again, unless
  *  it is sealed itself. Seal again after changing a view. A library that is built with -Dchecked=true heeds no seal:
  *  every call looks at all that vti_bodies_check_values looks at, and vti_apply, vti_bonds_loads and vti_bonds_measure
- *  at their lists, whose bodies are those that all views of what is read have by their counts; where none of these says,
- *  those of x or the attitude; where these do not either, those up to the end of the slice.
- *  Meant for debugging; a library without the option spends no instruction on it. */
+ *  at their lists, whose bodies are those that all views of what is read have by their counts; where none of these
+ *  says, those of x or the attitude; where these do not either, those up to the end of the slice. Meant for debugging;
+ *  a library without the option spends no instruction on it. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
 /** All of vti_bodies_check, and of the slice every mass, inertia and moment finite and > 0, no moment more than the sum

@@ -29,12 +29,14 @@ typedef struct vti_bond_dashpots {
     vti_sum *lost;    /**< [VTI_BOND_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that the
                                  motions have lost so far, axial, shear, bending, twisting */
     vti_sum *by_body; /**< [bodies][VTI_BOND_DASHPOT_BOOKS], memory of the caller's, zeros at the start: what each body
-                           has lost, half of what its bonds have; NULL: off. As in vti_dashpots bonds go one by one then */
+                           has lost, half of what its bonds have; NULL: off. As in vti_dashpots bonds go one by one
+                           then */
 } vti_bond_dashpots;
 
 /** The effect of *dashpots, which must outlive it, as must the bonds, of an effect of their own. Needs x, v and mass,
- *  and omega and inertia, or moments, where bonds turn bodies. Entries of booked energy: "lost_bond_axial", "lost_bond_shear",
- *  "lost_bond_bending", "lost_bond_twisting". VTI_E_DAMPING of its calls: a coefficient is negative or not finite. */
+ *  and omega and inertia, or moments, where bonds turn bodies. Entries of booked energy: "lost_bond_axial",
+ *  "lost_bond_shear", "lost_bond_bending", "lost_bond_twisting". VTI_E_DAMPING of its calls: a coefficient is negative
+ *  or not finite. */
 VTI_API vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots);
 
 #ifdef __cplusplus

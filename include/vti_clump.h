@@ -20,12 +20,12 @@ typedef struct vti_solid {
 } vti_solid;
 
 /** Mass, centre and moments of n spheres centre[n][3], diameter[n], of one density, counted once where they overlap
- *  (EQUATIONS 7.5). A sphere that overlaps no other: exactly. Others: along lines parallel to z, exact on each, lines by
- *  lines of them over its own box; 256 are good for 1e-4. That holds for each moment, however far the spheres are
+ *  (EQUATIONS 7.5). A sphere that overlaps no other: exactly. Others: along lines parallel to z, exact on each, lines
+ *  by lines of them over its own box; 256 are good for 1e-4. That holds for each moment, however far the spheres are
  *  spread. Time grows with lines^2 n k, k being how many overlap one sphere, and n where that is more than 128; it
  *  doubles where a moment is below 2^-10 of the largest. VTI_E_CLUMP, with fault->body the sphere, for a diameter that
- *  is not positive or a number that is not finite, and with -1 where moments are beyond the range of numbers; VTI_E_MASS
- *  for such a density or mass; VTI_E_COUNT for no spheres or no lines. */
+ *  is not positive or a number that is not finite, and with -1 where moments are beyond the range of numbers;
+ *  VTI_E_MASS for such a density or mass; VTI_E_COUNT for no spheres or no lines. */
 VTI_API int vti_clump_solid(int64_t n, const double *centre, const double *diameter, double density, int64_t lines,
                             vti_solid *solid, vti_fault *fault);
 
@@ -53,9 +53,9 @@ VTI_API vti_bodies vti_clumps_spheres(const vti_clumps *clumps, const vti_bodies
 
 /** Puts the spheres of the slice's bodies where they are (EQUATIONS 7.5), of the views that they have:
  *      r = R rho,   x_s = x + r,   v_s = v + Omega x r,   attitude and Omega those of the body.
- *  The bodies need an attitude (VTI_E_NEEDS); x, v and Omega that they do not have are 0. VTI_E_CLUMP and VTI_E_NULL for
- *  lists that are not there, VTI_E_ALIAS where a view of the spheres begins where the bodies' begins, or a status of
- *  vti_bodies_check of bodies or spheres. Threads may do slices of bodies at once. */
+ *  The bodies need an attitude (VTI_E_NEEDS); x, v and Omega that they do not have are 0. VTI_E_CLUMP and VTI_E_NULL
+ *  for lists that are not there, VTI_E_ALIAS where a view of the spheres begins where the bodies' begins, or a status
+ *  of vti_bodies_check of bodies or spheres. Threads may do slices of bodies at once. */
 VTI_API int vti_clumps_spread(const vti_clumps *clumps, const vti_bodies *bodies);
 
 /** Adds the loads of the spheres to those of the slice's bodies, s ascending (a load that is absent is left out):

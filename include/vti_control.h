@@ -38,8 +38,8 @@ extern "C" {
  * far above its true error; errors at the end go with about tolerance^0.9, by a factor that the motion decides. What is
  * put back is bodies and forces: effects that remember (friction, rupture) are the host's to put back.
  *
- * Between touches the error tells of none, and a step in which forces are taken too seldom may pass one by. With contacts
- * or walls set most to 1.5 h/d, h being that of vti_stable_step and d the largest part of a step in which the
+ * Between touches the error tells of none, and a step in which forces are taken too seldom may pass one by. With
+ * contacts or walls set most to 1.5 h/d, h being that of vti_stable_step and d the largest part of a step in which the
  * method takes no forces: 0.172 of "srkn11", 0.158 of "srkn14", 0.255 of "srkn6". That is enough for touches that are
  * head-on. A grazing one may be shorter: where pairs are apart at both ends of a step and overlap on the straight way
  * between, judge the step by the velocity that such a touch would change, too, if that is larger. */

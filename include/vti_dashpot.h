@@ -55,7 +55,8 @@ typedef struct vti_dashpots {
                                        of zeta; NULL: of all the same */
     vti_sum *by_body; /**< [bodies][VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: what each
                                        body has lost, of a pair half each, at a wall all; NULL: off. Bits of all else
-                                       are the same; pairs are worked one by one then, not as many as a register holds */
+                                       are the same; pairs are worked one by one then, not as many as a register
+                                       holds */
 } vti_dashpots;
 
 /** The zeta by which two bodies part with the share e of the velocity with which they meet, 0 < e <= 1, in a Hertzian

@@ -21,9 +21,9 @@ enum { VTI_DRAG_BOOKS = 2 };
  *  whatever h and the coefficients, |u| and |Omega| never grow. What is absent (p = NULL) does nothing.
  *
  *  On the spheres of clumps (vti_clumped) it acts on the velocity of each, v + Omega x r, and so on both motions of the
- *  body: as the exact flow of one sphere after the other (quadratic drag to second order), none of
- *  which raises the body's kinetic energy relative to the medium. One value or one for each sphere then; the masses are
- *  those of the bodies. */
+ *  body: as the exact flow of one sphere after the other (quadratic drag to second order), none of which raises the
+ *  body's kinetic energy relative to the medium. One value or one for each sphere then; the masses are those of the
+ *  bodies. */
 typedef struct vti_drag {
     vti_scalars linear;    /**< one value or one for each body, mass/time, finite and >= 0, of which calls look at one
                                 value for all only; needs v and mass */

@@ -2,8 +2,8 @@
 /** @file
  *  The interface of an effect: a line of physics with its forces, moments and energies, and what it says of itself. The
  *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h; what
- *  loses energy: vti_drag.h, vti_dashpot.h, vti_bond_dashpot.h, vti_friction.h, vti_rupture.h; on the spheres of clumps:
- *  vti_clump.h); a host's is served alike. */
+ *  loses energy: vti_drag.h, vti_dashpot.h, vti_bond_dashpot.h, vti_friction.h, vti_rupture.h; on the spheres of
+ *  clumps: vti_clump.h); a host's is served alike. */
 #ifndef VTI_EFFECT_H
 #define VTI_EFFECT_H
 
@@ -50,8 +50,8 @@ typedef void vti_spring_visit(void *context, const vti_spring *spring);
 typedef struct vti_deformation {
     double overlap; /**< of contacts and walls, a share of D: Hertz stiffens as its square root */
     double strain;  /**< of bonds, a share of L0 below 1, shortened or stretched: shear is stiffer in a shorter bond */
-    int64_t
-        meet; /**< 0: only pairs in the lists of contacts may touch; 1: any two bodies may, and element is the body */
+    /** 0: only pairs in the lists of contacts may touch; 1: any two bodies may, and element is the body. */
+    int64_t meet;
 } vti_deformation;
 
 /* ---- an effect --------------------------------------------------------------------------------------------------- */
@@ -83,8 +83,8 @@ typedef struct vti_drifted {
  *  smooth, breaks, terms, books, whether it carries) is made of what the parameters are when it is made, by
  *  vti_bonds_effect and its like. Make it again when a term appears or goes (bonds get a stiffness; drag, dashpots or
  *  friction get a coefficient of a motion that had none), when the form of shear changes, when walls begin to move or
- *  have another direction, and when lost, work or by_body is other memory. Until then vti_energy, vti_booked and calls of
- *  steps go by what it was; where bodies lack what a new term reads, the effect's check refuses it (VTI_E_NEEDS).
+ *  have another direction, and when lost, work or by_body is other memory. Until then vti_energy, vti_booked and calls
+ *  of steps go by what it was; where bodies lack what a new term reads, the effect's check refuses it (VTI_E_NEEDS).
  *
  *  Members are named in initialisers, and what is not named is absent, is off and costs
  *  nothing: {.name = "magnet", .apply = pull, .self = &magnet}. */
@@ -94,8 +94,7 @@ typedef struct vti_effect {
      *  out). Other bodies are read and not written: slices may be done at once. NULL for what acts by its flow or its
      *  rupture only. */
     void (*apply)(const void *self, const vti_bodies *bodies);
-    /** Writes the effect's energies, one per term. Without it the energy is not known, unless there is no apply either.
-     *  */
+    /** Writes the effect's energies, one per term. Without it the energy is unknown, unless apply is absent too. */
     void (*energy)(const void *self, const vti_bodies *bodies, double *energies);
     /** VTI_OK if the lists and numbers of self may be used with the bodies, which have what needs says; may be NULL.
      *  Asked before each of the others. */
@@ -127,9 +126,9 @@ typedef struct vti_effect {
     int64_t settles; /**< 1 if its flow leaves nothing to set to 0 of spheres' velocities (below); bodies at rest then
                          cost a pass less over them */
     int64_t breaks;  /**< momenta that it does not conserve: components of vti_breaks */
-    int64_t
-        dissipates; /**< 1 if it takes energy out of the motion: steppers with negative coefficients would put it in */
-    int64_t terms;  /**< at most VTI_TERMS */
+    /** 1 if it takes energy out of the motion: steppers with negative coefficients would put it in. */
+    int64_t dissipates;
+    int64_t terms;           /**< at most VTI_TERMS */
     const char *const *term; /**< names of the terms, one each */
     int64_t books;           /**< entries of booked energy, at most VTI_TERMS */
     const char *const *book; /**< names of the entries, one each */
@@ -146,8 +145,8 @@ VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const v
 /** Whether all of them may be used with the bodies: what every call with effects looks at first. VTI_E_NULL for an
  *  effect that does nothing, having neither apply nor flow nor rupture, as is made of what is NULL or given in part;
  *  VTI_E_COUNT for one of more than VTI_TERMS terms or books; VTI_E_NEEDS for one that needs what the bodies do not
- *  have, or what is no quantity; or what its check says. fault, which may be NULL, has in body the number of the effect,
- *  from 0, and in quantity what is missing; or what vti_bodies_check finds. */
+ *  have, or what is no quantity; or what its check says. fault, which may be NULL, has in body the number of the
+ *  effect, from 0, and in quantity what is missing; or what vti_bodies_check finds. */
 VTI_API int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *bodies, vti_fault *fault);
 
 /** force = moment = 0 on the slice, then every effect in order. Where vti_effects_check refuses, nothing has been
@@ -178,20 +177,21 @@ VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects,
  *          vti_effects_rupture(effects, n, &bodies, &broken);                if broken > 0: vti_apply again
  *      }
  *
- * Methods of more stages take vti_effects_stage for k = 1 ... stages - 1 before the end, each followed by vti_apply, and
- * probes as in vti_step.h.
+ * Methods of more stages take vti_effects_stage for k = 1 ... stages - 1 before the end, each followed by vti_apply,
+ * and probes as in vti_step.h.
  *
  * The flows last as long as the kicks. That of the first kick comes before it, that of the last one after it; of a kick
- * between two drifts one half comes before and one half after. The one kick of VTI-3 is a last and a first half: between
- * them come the flows of both. All go through the effects forwards before a drift, and
- * backwards after it, so that drag, which stands first, is outermost. Before these, where some effect that flows does not
- * settle, velocities below 2^-500 are set to 0, as carry does with spring loads and drag with what it slows: bodies at
- * rest then cost no arithmetic on subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call
- * vti_effects_flow and vti_effects_carry in these places. */
+ * between two drifts one half comes before and one half after. The one kick of VTI-3 is a last and a first half:
+ * between them come the flows of both. All go through the effects forwards before a drift, and backwards after it, so
+ * that drag, which stands first, is outermost. Before these, where some effect that flows does not settle, velocities
+ * below 2^-500 are set to 0, as carry does with spring loads and drag with what it slows: bodies at rest then cost no
+ * arithmetic on subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call vti_effects_flow and
+ * vti_effects_carry in these places. */
 
 /** vti_step_begin with the effects' flows and carries: stage 0. On VTI_E_TOO_LARGE the flow before the kick has been
- *  done, and nothing else (of a method of one kick that too); on all other failures nothing. VTI_E_FRAME if the method is of the body's frame and an effect
- *  carries, or flows, reads x and breaks the sum of J Omega, as dashpots do that turn bodies. */
+ *  done, and nothing else (of a method of one kick that too); on all other failures nothing. VTI_E_FRAME if the method
+ *  is of the body's frame and an effect carries, or flows, reads x and breaks the sum of J Omega, as dashpots do that
+ *  turn bodies. */
 VTI_API int vti_effects_begin(const vti_stepper *method, double h, const vti_effect *effects, int64_t n,
                               const vti_bodies *bodies, vti_fault *fault);
 /** vti_step_stage with them. On VTI_E_TOO_LARGE, which the methods of several stages do not return, the kick has been
@@ -201,8 +201,7 @@ VTI_API int vti_effects_stage(const vti_stepper *method, int64_t k, double h, co
 /** vti_step_finish with them. */
 VTI_API int vti_effects_finish(const vti_stepper *method, double h, const vti_effect *effects, int64_t n,
                                const vti_bodies *bodies);
-/** What breaks at the end of a step; *broken is how many, and where it is not 0 vti_apply comes before the next step.
- *  */
+/** What breaks at the end of a step; *broken is how many: unless it is 0, vti_apply comes before the next step. */
 VTI_API int vti_effects_rupture(const vti_effect *effects, int64_t n, const vti_bodies *bodies, int64_t *broken);
 
 /** The flows of all effects for the time t >= 0, beside a drift as vti_effect.flow has it: in order, for drift < 0
@@ -215,9 +214,9 @@ VTI_API int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_dr
 /** Sum of all booked energies: with vti_energy, what is constant. NaN where n is negative, effects NULL and n not 0, or
  *  an effect has books, but booked is NULL. */
 VTI_API double vti_booked(const vti_effect *effects, int64_t n);
-/** What of it body i, from 0, has lost: the sum over the effects that book by body, whose by_body has to go up to i. NaN
- *  where n or i is negative, effects NULL and n not 0, or of_body less than books. Of clumps (vti_clumped) the effect on
- *  the spheres has theirs. */
+/** What of it body i, from 0, has lost: the sum over the effects that book by body, whose by_body has to go up to i.
+ *  NaN where n or i is negative, effects NULL and n not 0, or of_body less than books. Of clumps (vti_clumped) the
+ *  effect on the spheres has theirs. */
 VTI_API double vti_booked_of_body(const vti_effect *effects, int64_t n, int64_t i);
 
 #ifdef __cplusplus

@@ -25,13 +25,14 @@ typedef struct vti_held {
     double twisting;   /**< moment about the normal from j to i */
 } vti_held;
 
-/** What touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. The first used of held belong to
- *  a restart, in any order: calls change it, and results do not depend on it. A restart puts them into an empty history
- *  (slot all zeros, used and missed 0) one by one with vti_history_add, which writes the slots; held and used alone,
- *  read back beside empty slots, are no history. Lists of pairs may change while it stays, but each pair always names
- *  its two bodies in the same order, and a list each pair once: a spring that is carried twice slides twice. A body that
- *  the host itself moves elsewhere, to an inlet say, keeps its old entries until it comes near the same body or wall
- *  again. To drop them, copy all other entries into a second history by vti_history_add, and go on with that one. */
+/** What touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. The first used of held belong
+ *  to a restart, in any order: calls change it, and results do not depend on it. A restart puts them into an empty
+ *  history (slot all zeros, used and missed 0) one by one with vti_history_add, which writes the slots; held and used
+ *  alone, read back beside empty slots, are no history. Lists of pairs may change while it stays, but each pair always
+ *  names its two bodies in the same order, and a list each pair once: a spring that is carried twice slides twice. A
+ *  body that the host itself moves elsewhere, to an inlet say, keeps its old entries until it comes near the same body
+ *  or wall again. To drop them, copy all other entries into a second history by vti_history_add, and go on with that
+ *  one. */
 typedef struct vti_history {
     int64_t slots;  /**< a power of 2, at most 2^31, above the number of touches; twice as many are fast */
     int64_t used;   /**< touches that hold something, below slots */
@@ -40,9 +41,9 @@ typedef struct vti_history {
     int64_t *slot;  /**< [slots], by which they are found; calls write it */
 } vti_history;
 
-/** Puts what a touch holds into the history: for a larger one, a restart, or bodies with other numbers. VTI_E_HISTORY if
- *  there is no room, used is negative, slots is no power of 2 up to 2^31, i < 1, j is 0 or i, or a load is not finite;
- *  then it is as it was. */
+/** Puts what a touch holds into the history: for a larger one, a restart, or bodies with other numbers. VTI_E_HISTORY
+ *  if there is no room, used is negative, slots is no power of 2 up to 2^31, i < 1, j is 0 or i, or a load is not
+ *  finite; then it is as it was. */
 VTI_API int vti_history_add(vti_history *history, const vti_held *held);
 
 /** Friction of contacts and walls: springs that stretch as surfaces move over each other and slide where they would
@@ -73,19 +74,20 @@ typedef struct vti_friction {
     const double *wall_sliding; /**< [walls], mu of each plane, then of each cylinder, in place of
                                      sliding, which is to be above 0 still; NULL: of all the same */
     vti_sum *by_body; /**< [bodies][VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: what each body has
-                             lost, of a pair half each, at a wall all; NULL: off. As in vti_dashpots pairs are worked one
-                             by one then */
+                             lost, of a pair half each, at a wall all; NULL: off. As in vti_dashpots pairs are worked
+                             one by one then */
     double *by_pair;  /**< [contacts->count][VTI_FRICTION_BOOKS], memory of the caller's: what each pair of the list has
-                             lost in the last drift, which by_body then has no part of, for hosts whose threads have lists
-                             that share bodies, or who look at contacts one by one; NULL: off */
+                             lost in the last drift, which by_body then has no part of, for hosts whose threads have
+                             lists that share bodies, or who look at contacts one by one; NULL: off */
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs
  *  x, v, an attitude and omega. Energy terms, of the springs: "friction_sliding",
  *  "friction_rolling", "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
  *  "lost_friction_twisting". VTI_E_DAMPING of its calls: a number is negative or not finite, or a motion has no
- *  stiffness. VTI_E_HISTORY: slots is no power of 2 up to 2^31, or used is negative or not below slots, or missed is not
- *  0, or the slots do not lead to the first or last entry of held, as in a history that vti_history_add did not make. */
+ *  stiffness. VTI_E_HISTORY: slots is no power of 2 up to 2^31, or used is negative or not below slots, or missed is
+ *  not 0, or the slots do not lead to the first or last entry of held, as in a history that vti_history_add did not
+ *  make. */
 VTI_API vti_effect vti_friction_effect(const vti_friction *friction);
 
 #ifdef __cplusplus

@@ -12,9 +12,9 @@ extern "C" {
 #endif
 
 /** AN(K, c): Adams' and Stoermer's formulas on the accelerations, which are vectors of space, with the exact turning
- *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1, or K where u is not 0, down to rounding: the turn
- *  is of order 8 itself, with a factor so small that nothing shows it. Linear momentum is kept to rounding, angular
- *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces, and with
+ *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1, or K where u is not 0, down to rounding: the
+ *  turn is of order 8 itself, with a factor so small that nothing shows it. Linear momentum is kept to rounding,
+ *  angular momentum and energy to the order only: the error of the energy grows with time. For smooth forces, and with
  *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
@@ -33,8 +33,8 @@ typedef struct vti_multistep {
     const char *about; /**< what it is, in a line */
 } vti_multistep;
 
-/** "an4", "an7", "an9", "an10-mid", "an10-fine" by their K and how small their steps have to be; NULL if there is none of
- *  that name. The objects are constants of the library. */
+/** "an4", "an7", "an9", "an10-mid", "an10-fine" by their K and how small their steps have to be; NULL if there is none
+ *  of that name. The objects are constants of the library. */
 VTI_API const vti_multistep *vti_multistep_find(const char *name);
 /** How many there are. */
 VTI_API int64_t vti_multistep_count(void);
@@ -57,9 +57,9 @@ typedef struct vti_past {
  *  all that follows is of order 2.
  *
  *  Where forces are of positions alone, fewer evaluations do: vti_step_keep, turn v and Omega round, take these steps
- *  (four by chin4, without its probe even; for an10-mid and an10-fine six by srkn6) and put by the loads after each; set
- *  known to 0, record what was put by, the last first; vti_step_undo, and record the loads of now. What these steps err
- *  by is no error of the run then. */
+ *  (four by chin4, without its probe even; for an10-mid and an10-fine six by srkn6) and put by the loads after each;
+ *  set known to 0, record what was put by, the last first; vti_step_undo, and record the loads of now. What these steps
+ *  err by is no error of the run then. */
 VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 
 /* The loop of a host, once past->known >= K:
@@ -81,8 +81,8 @@ VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                   vti_fault *fault);
 /** Between the forces and vti_multistep_correct, for hosts that want to know: the largest |h g D| of a body of the
- *  slice, by which v (*velocity) and Omega (*omega) are about to be corrected; 0 where there are none, NaN if any of them
- *  is. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
+ *  slice, by which v (*velocity) and Omega (*omega) are about to be corrected; 0 where there are none, NaN if any of
+ *  them is. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
  *  a touch or a jump. Changes nothing. */
 VTI_API int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                 double *velocity, double *omega);
@@ -98,8 +98,8 @@ VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_pas
  *  bodies, by one thread: it reads of others what it moves. A past that is recorded while something begins or ends to
  *  touch does not know of it: a run that starts so takes its K - 1 steps back in time (v and Omega turned round, forces
  *  recorded from the last to the first, the bodies put back), without the forces of what does not touch at the start:
- *  bodies that have just parted would meet there. VTI_E_NEEDS where there is a list, but not x, v or mass; what before is
- *  refused for is what a view of these bodies would be, VTI_E_ALIAS for x itself or a part of it; views of rounding
+ *  bodies that have just parted would meet there. VTI_E_NEEDS where there is a list, but not x, v or mass; what before
+ *  is refused for is what a view of these bodies would be, VTI_E_ALIAS for x itself or a part of it; views of rounding
  *  errors and moments are refused as by the other calls. */
 VTI_API int vti_multistep_touch(double h, const vti_view *before, const vti_contacts *contacts, const vti_walls *walls,
                                 const vti_bodies *bodies);

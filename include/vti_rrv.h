@@ -34,8 +34,8 @@
 /** 2^-520: the same for huge numbers, whose squares do not overflow then. */
 #define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
-/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing. A compiler
- * that is told not to optimise shall not either: it takes a minute for a kernel that is one function. */
+/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing.
+ * A compiler that is told not to optimise shall not either: it takes a minute for a kernel that is one function. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 /** Inlined whole. */
 #define VTI_INLINE static inline __attribute__((always_inline))
@@ -115,8 +115,8 @@ static inline double vti_arc(double y, double x)
     return angle + (low + (y > x ? -rest : rest));
 }
 
-/** sin t and cos t, within 1 ulp of 1, NaN of what is not finite; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with
- *  pi/2 in three parts, of which n times the first two is exact. */
+/** sin t and cos t, within 1 ulp of 1, NaN of what is not finite; beyond |t| = 2^20 they are libm's. t = n pi/2 + r
+ *  with pi/2 in three parts, of which n times the first two is exact. */
 static inline void vti_sin_cos(double t, double *sine, double *cosine)
 {
     if (!(fabs(t) <= 1048576.0)) {
@@ -407,8 +407,7 @@ static inline void vti_rrv_to_quat_xyzw(const double a[3], double q[4])
     q[3] *= k;
 }
 
-/** alpha of a quaternion x, y, z, w; it need not be normalised, and q and -q give the same attitude. NaN of four zeros.
- *  */
+/** alpha of a quaternion x, y, z, w, which need not be normalised; -q gives what q does. NaN of four zeros. */
 static inline void vti_rrv_from_quat_xyzw(const double q[4], double a[3])
 {
     vti_rrv_from_pair(q, a);

@@ -28,8 +28,8 @@ enum { VTI_RUPTURE_BOOKS = 1 };
  *  is spent on bonds that hold only. */
 typedef struct vti_rupture {
     vti_bonds *bonds; /**< of an effect of their own. pair, rest, turn and stiffnesses that are arrays are written when
-                           bonds leave: memory that may be written, that no other list
-                           shares, with one value for each bond */
+                           bonds leave: memory that may be written, that no other list shares, with one value for each
+                           bond */
     int64_t *id; /**< [count] as the list was at first: numbers of the bonds, counted from bonds->base and ascending:
                            0, 1, 2 ... They move with their bonds */
     vti_scalars stretch; /**< of r/L0 - 1 */

@@ -30,8 +30,9 @@ enum vti_frame {
 VTI_API int vti_kick(double t, const vti_bodies *bodies);
 
 /** dalpha of the turn by omega for the time t, in the frame in which omega is: what a drift composes with an attitude.
- *  t and omega finite; NaN if there is no such law or no omega. Where the closed form has none, h|Omega| > 1, as of a body that no
- *  step turns, 2 t Omega, its limit. Of half a turn, which has no dalpha, the largest |component| is VTI_RRV_LARGE. */
+ *  t and omega finite; NaN if there is no such law or no omega. Where the closed form has none, h|Omega| > 1, as of a
+ *  body that no step turns, 2 t Omega, its limit. Of half a turn, which has no dalpha, the largest |component| is
+ *  VTI_RRV_LARGE. */
 VTI_API void vti_drift_increment(int law, double t, const double omega[3], double dalpha[3]);
 
 /** x += t v, alpha <- alpha (+) dalpha(t Omega) by the law and frame. t finite, of either sign. All or nothing: if any
@@ -90,9 +91,9 @@ VTI_API const vti_stepper *vti_stepper_at(int64_t index);
  *
  * All calls of this file return VTI_OK or, and then nothing has been written, a status of vti_bodies_check;
  * VTI_E_STEPPER for a method that is NULL or no list, or of a law or rotor that there is not; VTI_E_STAGE for a stage
- * that it does not have; VTI_E_TIME for an h that is not positive and finite; VTI_E_FRAME for a frame that there is not,
- * or the body's with moments; and those that move bodies by the closed law VTI_E_TOO_LARGE if h|Omega| >= 1. What a
- * call returns besides is said at it. */
+ * that it does not have; VTI_E_TIME for an h that is not positive and finite; VTI_E_FRAME for a frame that there is
+ * not, or the body's with moments; and those that move bodies by the closed law VTI_E_TOO_LARGE if h|Omega| >= 1. What
+ * a call returns besides is said at it. */
 
 /** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
  *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is NaN) and that value. */
@@ -130,10 +131,11 @@ VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies 
  * These calls do not change the step, and without them nothing is spent.
  *
  * What comes out is the difference of two formulas, of which the step is the better one: it tells steps that are too
- * long from steps that are not, and falls by 2^(q+1) when h is halved. It is of one step: how the errors of a run add up
- * depends on the motion. */
+ * long from steps that are not, and falls by 2^(q+1) when h is halved. It is of one step: how the errors of a run add
+ * up depends on the motion. */
 
-/** Sums of a step, in memory of the caller's that need not be set before. Slices that are stepped apart may share it. */
+/** Sums of a step, in memory of the caller's that need not be set before. Slices that are stepped apart may share
+ *  it. */
 typedef struct vti_errors {
     double *memory; /**< [count of bodies][rows][6], from body 0 of the views, not of the slice */
     int64_t rows;   /**< at least the estimates of the method */
@@ -155,9 +157,9 @@ VTI_API int vti_step_error(const vti_stepper *method, const vti_bodies *bodies, 
  *  refused with VTI_E_STEPPER; "exact" is of one. VTI_E_COUNT for masses or inertias that are neither. NULL arrays are
  *  absent physics as above. masses and inertias: 1 (one value for all) or n; or inertias = 3n for bodies that are not
  *  spheres: then inertia[n][3] are the three moments of each, about axes that are the body's own, and omega[n][3] is
- *  its angular momentum L (EQUATIONS 7.1). Same arithmetic, same bits as through views. On VTI_E_TOO_LARGE body receives
- *  the number of the body, from 0, and value its h|Omega|, the largest of its turns; VTI_E_STEPPER and VTI_E_COUNT
- *  leave -1 and h there. Both may be NULL. */
+ *  its angular momentum L (EQUATIONS 7.1). Same arithmetic, same bits as through views. On VTI_E_TOO_LARGE body
+ *  receives the number of the body, from 0, and value its h|Omega|, the largest of its turns; VTI_E_STEPPER and
+ *  VTI_E_COUNT leave -1 and h there. Both may be NULL. */
 VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,
                              double *alpha, double *omega, const double *moment, int64_t masses, const double *mass,
                              int64_t inertias, const double *inertia, int64_t *body, double *value);

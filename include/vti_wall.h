@@ -22,8 +22,8 @@ typedef struct vti_wall_motion {
 
 /** Rigid walls that keep bodies on one side of planes n.x = offset, that to which n points, and inside of cylinders: a
  *  particle of radius zero at the foot point, U = 2/5 K [1 - g/(D/2)]_+^{5/2}, g being how far the centre is from the
- *  wall. They are counted from 0, planes first. Bodies are to be thinner than their cylinder, D/2 below its radius: in a
- *  narrower one the push may hold them across by more than vti_stable_step is told. */
+ *  wall. They are counted from 0, planes first. Bodies are to be thinner than their cylinder, D/2 below its radius: in
+ *  a narrower one the push may hold them across by more than vti_stable_step is told. */
 typedef struct vti_walls {
     int64_t count;           /**< planes */
     const double *plane;     /**< [count][4]: n (unit), offset; where it was at first, if it moves */
@@ -60,9 +60,8 @@ VTI_API double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3
 VTI_API double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i);
 
 /** The effect of *walls, which must outlive it. Needs x; VTI_E_CONTACT of its calls as vti_walls_check says. Energy
- *  term: "wall". Where walls move it needs v, carries them along
- *  with each drift, so that its steps are those of vti_effects_begin, and books their work: "work_wall". It stands
- *  before the friction of its walls. */
+ *  term: "wall". Where walls move it needs v, carries them along with each drift, so that its steps are those of
+ *  vti_effects_begin, and books their work: "work_wall". It stands before the friction of its walls. */
 VTI_API vti_effect vti_walls_effect(const vti_walls *walls);
 
 #ifdef __cplusplus

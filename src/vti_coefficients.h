@@ -139,11 +139,11 @@ static const double srkn14_drift[] = {A1, A2, A3, A4, A5, A6, A7, A8, A7, A6, A5
 #undef B6
 #undef B7
 
-/* ---- estimates of a step's error (EQUATIONS 8.2) ------------------------------------------------------------------ */
+/* ---- estimates of a step's error (EQUATIONS 8.2) ----------------------------------------------------------------- */
 
-/* Weights on the forces of the kicks, of which first halves are written: ODD ones are mirrored with the other sign, EVEN
- * ones with the same. They vanish on every tree of order up to 3 for srkn6 and up to 5 for the others; all that do are
- * here, for one alone is blind to some touches. */
+/* Weights on the forces of the kicks, of which first halves are written: ODD ones are mirrored with the other sign,
+ * EVEN ones with the same. They vanish on every tree of order up to 3 for srkn6 and up to 5 for the others; all that do
+ * are here, for one alone is blind to some touches. */
 #define ODD3(A, B, C) A, B, C, 0.0, -(C), -(B), -(A)
 #define EVEN4(A, B, C, D) A, B, C, D, C, B, A
 #define ODD6(A, B, C, D, E, F) A, B, C, D, E, F, -(F), -(E), -(D), -(C), -(B), -(A)

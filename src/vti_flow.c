@@ -28,8 +28,8 @@ static int any_carries(const vti_effect *effects, int64_t n)
     return any;
 }
 
-/** Whether some effect takes Omega for a vector in space, beside positions: what carries, and dashpots that turn bodies.
- *  Drag on Omega is the same in any frame. */
+/** Whether some effect takes Omega for a vector in space, beside positions: what carries, and dashpots that turn
+ *  bodies. Drag on Omega is the same in any frame. */
 static int any_in_space(const vti_effect *effects, int64_t n)
 {
     int any = any_carries(effects, n);

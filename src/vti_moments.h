@@ -27,9 +27,9 @@ void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[
 /** Of such a body, which need not have an attitude: 1/A, 1/B, 1/C and the principal axes in space. */
 void vti_rotor_axes(const vti_bodies *b, int64_t i, double per[3], double axis[3][3]);
 
-/** The turn of such a body, with an attitude, over a drift that has just been done: the rescaled Rodrigues vector of its
- *  increment, from the turn back by the same L; steady: the time and the mean of Omega before and after it, which of a
- *  sphere is constant. */
+/** The turn of such a body, with an attitude, over a drift that has just been done: the rescaled Rodrigues vector of
+ *  its increment, from the turn back by the same L; steady: the time and the mean of Omega before and after it, which
+ *  of a sphere is constant. */
 void vti_rotor_turned(const vti_bodies *b, int64_t i, const vti_drifted *drifted, int steady, double a[3]);
 
 /** The bodies that have turned in a drift: those of an effect, or the clumps of which they are the spheres. */

@@ -198,8 +198,8 @@ static void move_blocks(struct parts parts, const struct vti_move *move, const v
     }
 }
 
-/** The first body from i on whose vector begins with a line of the cache: kernels that begin there load and store across
- *  no two lines. i if there is none. */
+/** The first body from i on whose vector begins with a line of the cache: kernels that begin there load and store
+ *  across no two lines. i if there is none. */
 static int64_t aligned(const vti_view *v, int64_t i)
 {
     for (int64_t k = i; k < i + 8; ++k)
@@ -228,8 +228,7 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b)
 
 /* ---- the bound of the closed form -------------------------------------------------------------------------------- */
 
-/** u = t Omega of body i after the kicks, by their operations, so that what is tested is what the square root will see.
- *  */
+/** u = t Omega of body i after the kicks, by their operations: what is tested is what the square root will see. */
 static void turn_ahead(const struct vti_move *move, const vti_bodies *b, int64_t i, double u[3])
 {
     double low[3], m[3];

@@ -6,8 +6,7 @@
  *     kick(kick):    the same                             the first of this one
  *     drift(drift):  x += t v,  alpha <- alpha (+) dalpha(t Omega)
  *
- * vti_move.c moves bodies one by one, and picks kernels that do many at once (vti_move_kernels.h), with the same bits.
- * */
+ * vti_move.c moves bodies one by one, and picks kernels that do many at once, to the same bits (vti_move_kernels.h). */
 #ifndef VTI_MOVE_H
 #define VTI_MOVE_H
 
@@ -104,7 +103,8 @@ static inline const struct vti_move_kernels *const *vti_move_served(void)
     return first;
 }
 
-/** q <- normalise((u, c) q), in space, or, side = -1, q (u, c) in the body's frame. V is double, or a vector of them. */
+/** q <- normalise((u, c) q), in space, or, side = -1, q (u, c) in the body's frame. V is double, or a vector of
+ *  them. */
 #define VTI_MOVE_QUAT(NAME, V, DOT, CROSS, SQRT)                                                                       \
     VTI_INLINE void NAME(V c, const V u[3], double side, V q[4])                                                       \
     {                                                                                                                  \

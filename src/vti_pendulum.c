@@ -32,8 +32,7 @@ VTI_INLINE void swing(const double q[4], const double pull[3], const vti_view *m
     moment->c[1][i * moment->stride] -= arm[0];
 }
 
-/** The same of a quaternion, or of an alpha that has to be scaled; apart, so that the others need not wait for either.
- *  */
+/** The same of a quaternion, or of an alpha that has to be scaled; apart, so that others need not wait for it. */
 VTI_APART void swing_any(const vti_bodies *b, const double pull[3], int64_t i)
 {
     double q[4];

@@ -5,8 +5,7 @@
 
 #include "vti_views.h"
 
-/** Says in fault, where there is one, which body is refused, for which value and of which quantity. Returns the status.
- *  */
+/** Says in fault, unless it is NULL, which body is refused, for which value of which quantity. Returns the status. */
 static inline int vti_refuse(int status, int64_t body, double value, int64_t quantity, vti_fault *fault)
 {
     if (fault != NULL) {
@@ -29,8 +28,7 @@ static inline int64_t vti_seal_of(const vti_bodies *b)
     return INT64_C(0x7674692d7365616c) ^ (int64_t)(intptr_t)b;
 }
 
-/** 1 if the library was built with -Dchecked=true: every call then looks at all of its bodies and lists, sealed or not.
- *  */
+/** 1 if the library was built with -Dchecked=true: every call then looks at all bodies and lists, sealed or not. */
 #ifdef VTI_CHECKED
 enum { VTI_LOOKS = 1 };
 #else
@@ -62,9 +60,9 @@ static inline int vti_bodies_ready(const vti_bodies *b)
     return vti_bodies_ready_or(b, NULL);
 }
 
-/** How many bodies lists may name, as far as is known: the fewest that views of what is read show; where these do not say,
- *  those of x or the attitude; else those up to the end of the slice. reads has bits 1 << vti_quantity, alpha or quat for
- *  an attitude in either form. */
+/** How many bodies lists may name, as far as is known: the fewest that views of what is read show; where these do not
+ *  say, those of x or the attitude; else those up to the end of the slice. reads has bits 1 << vti_quantity, alpha or
+ *  quat for an attitude in either form. */
 int64_t vti_bodies_named(const vti_bodies *b, int64_t reads);
 
 /** Whether a list that counts from base names one of n bodies so, whatever numbers these are. */

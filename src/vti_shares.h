@@ -20,8 +20,8 @@ static inline void vti_share(vti_sum *by_body, int64_t books, int64_t k, int64_t
         vti_sum_add(&by_body[books * j + k], share);
 }
 
-/** What one touch has lost, each a single number, joins what all have, with the same bits as if it had been booked there;
- *  and where by_body is not NULL, what its bodies have. */
+/** What one touch has lost, each a single number, joins what all have, with the same bits as if it had been booked
+ *  there; and where by_body is not NULL, what its bodies have. */
 static inline void vti_share_out(const vti_sum *own, int64_t books, vti_sum *all, vti_sum *by_body, int64_t i,
                                  int64_t j)
 {

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A rigorous bound of the stable step (EQUATIONS 5 and 6.10). The system is
- * split into elements, one for each spring that an effect reports, and every body into shares for the elements at it: K
- * = sum K_e, M = sum M_e. If no element is faster than omega, x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx,
- * nor is the whole. */
+ * A rigorous bound of the stable step (EQUATIONS 5 and 6.10). The system is split into elements, one for each spring
+ * that an effect reports, and every body into shares for the elements at it: K = sum K_e, M = sum M_e. If no element is
+ * faster than omega, the whole is not: x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx. */
 #include <limits.h>
 
 #include "vti_ready.h"

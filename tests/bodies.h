@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Views on bodies that a test keeps in packed arrays, and a stepper that is a drift alone. No test library: digest.h has
- * to build wherever the core does. */
+ * Views on bodies that a test keeps in packed arrays, and a stepper that is a drift alone. No test library: digest.h
+ * has to build wherever the core does. */
 #ifndef VTI_TESTS_BODIES_H
 #define VTI_TESTS_BODIES_H
 

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of programs share: how one is run, under mpirun too, how it refuses, and what it leaves in a folder."""
+"""What the tests of programs share: how one is run, under mpirun too, how it refuses, and what it leaves in a
+folder."""
 import os
 import subprocess
 import time
 
 PATIENCE = 120  # seconds; what takes longer hangs
 # Open MPI refuses root, which is who one is in a container, and more ranks than cores (said in one way up to 4 and in
-# another from 5 on); its fast path between ranks needs a right that containers lack; 5 warns of ranks that no network joins.
-# Looking for networks takes most of a start (pml), a single rank needs no daemon (isolated), one that waits spins (yield),
-# and when one fails the others have a second to end (GRACE).
+# another from 5 on); its fast path between ranks needs a right that containers lack; 5 warns of ranks that no network
+# joins. Looking for networks takes most of a start (pml), a single rank needs no daemon (isolated), one that waits
+# spins (yield), and when one fails the others have a second to end (GRACE).
 GRACE = "OMPI_MCA_odls_base_sigkill_timeout"
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_pml="ob1",
                    OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_ess_singleton_isolated="1", **{GRACE: "0"},
@@ -24,8 +25,8 @@ def run(*command, **options):
 
 
 def run_without_place(kept, blocked, *command):
-    """To its end, where the folder `blocked` is in the way, which was not there at the start: what it says first waits in a full pipe
-    until it has made the file `kept`."""
+    """To its end, where the folder `blocked` is in the way, which was not there at the start: what it says first waits
+    in a full pipe until it has made the file `kept`."""
     out, into = os.pipe()
     os.set_blocking(into, False)
     try:

@@ -35,7 +35,8 @@
 
 /* ---- comparisons ------------------------------------------------------------------------------------------------- */
 
-/** |value - expected| <= tolerance. A NaN fails, and so does an infinite tolerance, within which everything would be. */
+/** |value - expected| <= tolerance. A NaN fails, and so does an infinite tolerance, within which everything would
+ *  be. */
 #define assert_close(value, expected, tolerance)                                                                       \
     assert_close_at(#value, (double)(value), (double)(expected), (double)(tolerance), __FILE__, __LINE__)
 #define assert_close3(value, expected, tolerance)                                                                      \

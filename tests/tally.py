@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests that are Python programs say: a line for each check, and at the end once more those that failed, because
-the last lines are what a runner shows."""
+"""What the tests that are Python programs say: a line for each check, and at the end once more those that failed,
+because the last lines are what a runner shows."""
 import os
 import sys
 

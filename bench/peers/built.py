@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whole processes, vti-run and a LAMMPS of 4 July 2026 or later that has been built for this machine, processor seconds,
-printed as CSV:
+"""Whole processes, vti-run and a LAMMPS of 4 July 2026 or later that has been built for this machine, processor
+seconds, printed as CSV:
     built.py BUILD ROUNDS VTI-RUN...
     built.py BUILD                    says no more than whether that LAMMPS will do
 BUILD is the folder with that LAMMPS' lmp: cmake -D PKG_ASPHERE=on -D PKG_BPM=on -D PKG_GRANULAR=on -D PKG_MOLECULE=on
 -D BUILD_MPI=off -D BUILD_OMP=off -D CMAKE_CXX_FLAGS="-O3 -march=native". The torus flies its whole impact: earlier
-releases burst it, which the kinetic energy at the end (40 at the start) tells; gain is what a bond that turns far makes of its
-energy at most. Builds of vti-run with -Dvectors=avx2 and
-baseline show narrower vector units. All record energies; no trajectory is written."""
+releases burst it, which the kinetic energy at the end (40 at the start) tells; gain is what a bond that turns far makes
+of its energy at most. Builds of vti-run with -Dvectors=avx2 and baseline show narrower vector units. All record
+energies; no trajectory is written."""
 
 import os
 import sys

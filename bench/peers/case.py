@@ -83,8 +83,8 @@ class Case:
         return thermo(self.lammps.run(self.script, **self.variables(h, self.prepare())))
 
     def commands(self):
-        """What times runs, by whom: the whole run, and one of one step, which does what is done once: it starts, reads, and
-        opens and closes files."""
+        """What times runs, by whom: the whole run, and one of one step, which does what is done once: it starts, reads,
+        and opens and closes files."""
         whole, words = self.variables(self.h, self.prepare()), self.vti_words(self.h)
         one = (*words[:3], dict(words[3], t_end=self.h), *words[4:])
         ours = [(vti_command(*part), None) for part in (words, one)]
@@ -92,9 +92,9 @@ class Case:
         return {"vti": ours, "LAMMPS": theirs}
 
     def times(self, rounds):
-        """Median processor seconds of both, which record energies and write no dump, in turns, and of their ratios with least
-        and largest. Of each turn that of one step is taken off: how long a program takes to start depends on how it is linked,
-        not on how it steps."""
+        """Median processor seconds of both, which record energies and write no dump, in turns, and of their ratios with
+        least and largest. Of each turn that of one step is taken off: how long a program takes to start depends on how
+        it is linked, not on how it steps."""
         commands = self.commands()
         took = {who: [] for who in commands}
         for _ in range(rounds):

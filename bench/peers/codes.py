@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a body's step, a bond and a touching pair cost in LIGGGHTS and YADE, by their own clocks, beside ours:
     codes.py ROUNDS VTI-BENCH...
-Of those of the two that are installed. Prints CSV as speed.py does, which says how turns go; each of them counts its turns where it
-had a core to itself."""
+Of those of the two that are installed. Prints CSV as speed.py does, which says how turns go; each of them counts its
+turns where it had a core to itself."""
 
 import functools
 import os
@@ -43,7 +43,8 @@ def waits():
 
 
 def liggghts(wide, spacing):
-    """Percent of a core in all of the run but its start, and ns of body and of pair in each round; the first warms up."""
+    """Percent of a core in all of the run but its start, and ns of body and of pair in each round; the first warms
+    up."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["liggghts", "-log", "none", "-in", os.path.join(HERE, "liggghts.in"), "-var", "wide", str(wide), "-var", "spacing",
                    str(spacing), "-var", "steps", str(STEPS["liggghts"][wide])]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two spheres, or one and a plane, that meet once, in LAMMPS, LIGGGHTS, YADE and by vti-run: restitution, orders of the velocities
-after oblique impacts, energy that an impact without losses brings, and ledgers."""
+"""Two spheres, or one and a plane, that meet once, in LAMMPS, LIGGGHTS, YADE and by vti-run: restitution, orders of the
+velocities after oblique impacts, energy that an impact without losses brings, and ledgers."""
 
 import math
 import os
@@ -13,7 +13,8 @@ from lammps import HERE, frames, tsuji_of, vti, vti_columns, vti_frames, write_d
 YOUNG, POISSON, DENSITY = 5e8, 0.25, 2500.0
 DIAMETER = (0.01, 0.006)
 MU = 0.5
-RATIO = math.sqrt(2 * (1 - POISSON) / (2 - POISSON))  # of LIGGGHTS and YADE, whose dashpots are as the stiffnesses' roots
+# of LIGGGHTS and YADE, whose dashpots are as the stiffnesses' roots
+RATIO = math.sqrt(2 * (1 - POISSON) / (2 - POISSON))
 SPEED, GAP = 1.0, 3e-6
 ZETA = 0.1
 SPIN = (20.0, -30.0, 40.0)
@@ -152,11 +153,6 @@ def ours(zeta=ZETA, mu=MU, ratio=RATIO, pull="yes"):
         "friction.sliding": mu,
         "friction.poisson": POISSON,
     }
-
-
-def order_of(steps, errors):
-    """Slope of log(error) over log(h), least squares."""
-    return -numpy.polyfit(numpy.log(steps), numpy.log(errors), 1)[0]
 
 
 def rebounds(impact, asked=(0.3, 0.5, 0.7, 0.9), steps=40000):

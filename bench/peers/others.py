@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""LIGGGHTS and YADE, the distribution's packages, as programs that let two spheres meet, or turn as one. Both know one ratio of the
-dashpots across and along the normal, that of the roots of the stiffnesses."""
+"""LIGGGHTS and YADE, the distribution's packages, as programs that let two spheres meet, or turn as one. Both know one
+ratio of the dashpots across and along the normal, that of the roots of the stiffnesses."""
 
 import json
 import math
@@ -34,7 +34,8 @@ class Liggghts:
         """v and omega of each after it."""
         atoms = os.path.join(self.folder, "liggghts.data")
         write_data(atoms, *spheres, numpy.full(len(spheres[0]), self.density))
-        # its coefficient is sqrt(20/3) beta sqrt(m E* sqrt(R)) overlap^(1/4), beta = -ln e/sqrt(ln^2 e + pi^2): our zeta
+        # its coefficient is sqrt(20/3) beta sqrt(m E* sqrt(R)) overlap^(1/4), beta = -ln e/sqrt(ln^2 e + pi^2): our
+        # zeta
         restitution = math.exp(-math.pi * zeta / math.sqrt(1 - zeta**2))
         end = self.dumped("liggghts_impact.in", atoms=atoms, plane=int(plane), restitution=restitution, friction=friction, h=h,
                           steps=steps)[-1]
@@ -70,7 +71,8 @@ class Yade:
         return end[:, :3], end[:, 3:]
 
     def turned(self, axis, steps):
-        """The second sphere's way from the first, which stays where it is, and the force on it, before the turn and after it."""
+        """The second sphere's way from the first, which stays where it is, and the force on it, before the turn and
+        after it."""
         found = self.found(damping=0, friction=1e4, axis=list(map(float, axis.split())), steps=steps)
         return found[:, 0], found[:, 1]
 

@@ -153,7 +153,8 @@ class Agglomerate(Case):
             "floor": self.law(False),
             "bond": self.bond(),
             "smooth": self.smooth,
-            # the frame average of July 2026 counts pressure as tension where it asks what breaks, and takes twice the time
+            # the frame average of July 2026 counts pressure as tension where it asks what breaks, and takes twice the
+            # time
             "frame_style": self.lammps.bonds_of_before(),
             "cutoff": 4e-3,
             "skin": 2e-4,

@@ -2,8 +2,8 @@
 """What a body's step and a bond cost in LAMMPS, by its own clock, beside ours:
     speed.py VENV PACKAGE ROUNDS VTI-BENCH...
 Prints CSV. In each round LAMMPS and every build of vti-bench have their turn; ratios are of rounds, their median, least
-and largest. vti-bench goes by the processor's time, LAMMPS by the wall's clock: its turns count where it had the core to
-itself, as it says."""
+and largest. vti-bench goes by the processor's time, LAMMPS by the wall's clock: its turns count where it had the core
+to itself, as it says."""
 
 import csv
 import os

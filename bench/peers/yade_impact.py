@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""impact.in and turned.in for YADE:  TOLD=JSON yade -n -x -j1 yade_impact.py. TOLD has the material, damping and friction, and the
-spheres with h and steps of an impact, or the axis and the steps of a turn by one radian. Prints what others.py reads. YADE gives the
-names that are not defined here."""
+"""impact.in and turned.in for YADE:  TOLD=JSON yade -n -x -j1 yade_impact.py. TOLD has the material, damping and
+friction, and the spheres with h and steps of an impact, or the axis and the steps of a turn by one radian. Prints what
+others.py reads. YADE gives the names that are not defined here."""
 # ruff: noqa: F821
 # pylint: disable=undefined-variable
 import json
@@ -35,7 +35,8 @@ def impact():
 
 
 def standing():
-    """x and the force of the second sphere, of a step in which nothing moves: forces are of the places before a step."""
+    """x and the force of the second sphere, of a step in which nothing moves: forces are of the places before a
+    step."""
     for body in O.bodies:
         body.state.vel = body.state.angVel = (0, 0, 0)
     O.run(1, True)

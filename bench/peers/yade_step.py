@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""wide^3 spheres in YADE, bonded to their neighbours or free, for its own clock:  WIDE=10 STEPS=400 yade -n -x -j1 yade_step.py.
-Prints for each round the share of a core that it had, and the nanoseconds of a body's step and of a bond. So slow that all stay
-where they are; the collider, which looks for pairs, has nothing to do. YADE gives the names that are not defined here."""
+"""wide^3 spheres in YADE, bonded to their neighbours or free, for its own clock:
+WIDE=10 STEPS=400 yade -n -x -j1 yade_step.py.  Prints for each round the share of a core that it had, and the
+nanoseconds of a body's step and of a bond. So slow that all stay where they are; the collider, which looks for pairs,
+has nothing to do. YADE gives the names that are not defined here."""
 # ruff: noqa: F821
 # pylint: disable=undefined-variable
 import os

@@ -98,8 +98,8 @@ void vti_kit_bodies_advance_reference(struct bodies *b, const struct field *fiel
 
 vti_bodies vti_kit_bodies_views(const struct bodies *b)
 {
-    struct bodies *s =
-        (struct bodies *)b; /* views are made for bodies that may move; who only reads does not move them */
+    /* views are made for bodies that may move; who only reads does not move them */
+    struct bodies *s = (struct bodies *)b;
     vti_bodies bodies = vti_bodies_none(b->n);
     bodies.x = vti_view_packed(s->x);
     bodies.v = vti_view_packed(s->v);

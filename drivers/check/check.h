@@ -146,13 +146,13 @@ void vti_kit_say_ratios(struct kit *kit, const struct constants *c);
 
 /** The paper's pendulum: m g = J = 1, turned by 3 pi/4, spinning slowly. */
 struct bodies vti_kit_scene_pendulum(struct field *field);
-/** Two bonded bodies that turn steadily like a rigid one, the bond stretched as the centripetal force demands. *r is the
- *  distance. */
+/** Two bonded bodies that turn steadily like a rigid one, the bond stretched as the centripetal force demands. *r is
+ *  the distance. */
 struct bodies vti_kit_scene_rigid(struct field *field, double *r);
 /** Two unlike bodies held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
 struct bodies vti_kit_scene_spring(struct field *field);
-/** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning; where only translation is looked at,
- *  vti_kit_scene_spring. */
+/** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning; where only translation is looked
+ *  at, vti_kit_scene_spring. */
 struct bodies vti_kit_scene_bonded(const struct kit *kit, struct field *field);
 /** Two bodies on a spring along x, stretched by 1e-3; oscillates by the frequency 1. */
 struct bodies vti_kit_scene_stretch(struct field *field);
@@ -173,8 +173,8 @@ void vti_kit_remark(struct kit *kit, const char *format, ...) __attribute__((for
 
 /* ---- the checks, in their order ---------------------------------------------------------------------------------- */
 
-void vti_kit_constants(
-    struct kit *kit); /* constants.c: ratios of distance, turn and kicks, which are corrected from there on */
+/* constants.c: ratios of distance, turn and kicks, which are corrected from there on */
+void vti_kit_constants(struct kit *kit);
 void vti_kit_spin(struct kit *kit);     /* spin.c: law, half turns, norm */
 void vti_kit_response(struct kit *kit); /* response.c: what constant and growing loads do */
 void vti_kit_frame(struct kit *kit);    /* frame.c: a load on a body that is turned */

@@ -4,8 +4,6 @@
  * number on paper. */
 #include "check.h"
 
-#include <float.h>
-
 /** The paper's pendulum to t = 10. Steppers of order 2 are off by some 1e-3 at most at h = 1/64, those of order 1 by
  *  more. */
 void vti_kit_pendulum(struct kit *kit)

@@ -4,8 +4,6 @@
  * two_form.c.) */
 #include "check.h"
 
-#include <float.h>
-
 /* ---- momentum ---------------------------------------------------------------------------------------------------- */
 
 static void momenta(const struct bodies *b, double p[3], double l[3])

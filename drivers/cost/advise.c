@@ -36,9 +36,9 @@ static int64_t rank_of(const vti_stepper *stepper)
     return 2 * stepper->order + (strcmp(method_kind(stepper), "paper") != 0);
 }
 
-/** The highest orders first: they set the limit for the others; of an order those of the paper last, since of offers that
- *  are alike the first is taken. Rivals come last, and set none. Of ours those that the model may be run by, where none
- *  is named. */
+/** The highest orders first: they set the limit for the others; of an order those of the paper last, since of offers
+ *  that are alike the first is taken. Rivals come last, and set none. Of ours those that the model may be run by, where
+ *  none is named. */
 static int list_offers(struct stages *g, const struct model *model, struct message *message)
 {
     enum { HIGHEST = 16 };
@@ -160,8 +160,8 @@ static int refuse_uncountable(const struct stages *g)
 }
 
 /** Where no pilot came to its end: by half of the stable step something comes out, and nothing is known of its error.
- *  Returns the one to take: of order 2, of one evaluation, if there is one. Of steppers whose steps could not be counted
- *  nothing is offered; refuse_uncountable has seen to it that there are others. */
+ *  Returns the one to take: of order 2, of one evaluation, if there is one. Of steppers whose steps could not be
+ *  counted nothing is offered; refuse_uncountable has seen to it that there are others. */
 static int64_t by_stability(struct stages *g)
 {
     struct search at_end = g->search;

@@ -45,15 +45,16 @@ struct pilot {
     struct message message;
 };
 
-/** The next number of steps that a pilot goes in: a multiple of PILOT_MARKS, its unit, unless it is small. Never more than
- *  LOOP_STEPS. */
+/** The next number of steps that a pilot goes in: a multiple of PILOT_MARKS, its unit, unless it is small. Never more
+ *  than LOOP_STEPS. */
 int64_t pilot_steps(double steps);
 int64_t pilot_unit(int64_t steps);
 /** Evaluations that a step of a pilot costs: it is looked at, as errors of the energy may last for one step of a
  *  thousand, and that costs about as much as a force evaluation. */
 double pilot_evals(const vti_stepper *stepper);
-/** What so many evaluations by a stepper cost, with its share of the steps, in evaluations of Verlet's method. The search
- *  goes by this and not by seconds, which differ from run to run: they only say which of its offers is the fastest. */
+/** What so many evaluations by a stepper cost, with its share of the steps, in evaluations of Verlet's method. The
+ *  search goes by this and not by seconds, which differ from run to run: they only say which of its offers is the
+ *  fastest. */
 double pilot_cost(const vti_stepper *stepper, double evals);
 /** How a pilot is flown; nothing given: from the scene's start to the end, looked at at every step. */
 struct pilot_way {
@@ -172,12 +173,13 @@ struct search {
     struct message *message;
 };
 
-/** A pilot run over s->t_end. Returns as pilot_run does. search_run_beside ends it where it parts from a coarser one. */
+/** A pilot run over s->t_end. Returns as pilot_run does. search_run_beside ends it where it parts from a coarser
+ *  one. */
 int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t steps, const struct pilot *beside,
                       struct pilot *pilot);
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
-/** The share of the error asked for that h is aimed at where the run is not made: less where forces have kinks, as one run
- *  in a few errs by some times what others let expect. */
+/** The share of the error asked for that h is aimed at where the run is not made: less where forces have kinks, as one
+ *  run in a few errs by some times what others let expect. */
 double search_aim(const struct search *s);
 /** The longest step that is worth trying: 0.9 of the stable one, and of the closed form's own bound. */
 double search_longest(const struct search *s, const vti_stepper *stepper);
@@ -203,40 +205,41 @@ double search_lasting_order(const struct search *s, const vti_stepper *stepper, 
  *  more where a higher order may last: among kinks one more than the usual one, though no more than the stepper's own,
  *  and the stepper's own where something dissipates. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);
-/** Fills in the offer of o->stepper for s->t_end and s->target by runs that cost up to the limit (pilot_cost), compared with
- *  s->solution. Returns likewise. */
+/** Fills in the offer of o->stepper for s->t_end and s->target by runs that cost up to the limit (pilot_cost), compared
+ *  with s->solution. Returns likewise. */
 int search_stepper(struct search *s, struct offer *o, double limit);
 /** Above this an angle says nothing about how it falls. */
 #define SEARCH_TOO_FAR 0.3
 /** The error of a run of this stage: at the end if that is the scene's. Else errors grow with the time on the whole and
- *  swing about that, through zero or to twice of it: the median of what the second half of the marks says of the end. */
+ *  swing about that, through zero or to twice of it: the median of what the second half of the marks says of the
+ *  end. */
 double search_error(const struct search *s, const struct pilot *pilot, int measure);
-/** By the measure that is asked for and by the others; NaN by those by which the solution is not known well enough: it is
- *  refined by one measure, and hardly at all where the energy is asked for. */
+/** By the measure that is asked for and by the others; NaN by those by which the solution is not known well enough: it
+ *  is refined by one measure, and hardly at all where the energy is asked for. */
 void search_errors(const struct search *s, const struct pilot *pilot, double errors[COST_MEASURES]);
 /** Refines a->checked until its runs tell the error s->target: that is s->solution. Of the purse it takes up to the
  *  share. Returns 0, -1, ADVISE_SPENT or ADVISE_PARTED. */
 int search_solution(struct search *s, double share);
-/** Flies two runs over the whole time that begin a nudge apart, as coarse as can be, into s->strayed. They tell how what
- *  a step errs by grows from one part of the time to the end. Returns as pilot_run does. */
+/** Flies two runs over the whole time that begin a nudge apart, as coarse as can be, into s->strayed. They tell how
+ *  what a step errs by grows from one part of the time to the end. Returns as pilot_run does. */
 int search_stray(struct search *s);
 /** The work of that. */
 double search_stray_work(const struct search *s);
 /** How many times further they are apart at the end than at time t; 1 if that is not known. */
 double search_growth(const struct search *s, double t);
 int search_knows_growth(const struct search *s);
-/** Whether they stray so much that rounding alone passes the goal in the end, and no step is short enough; then from when on
- *  is advice->together. */
+/** Whether they stray so much that rounding alone passes the goal in the end, and no step is short enough; then from
+ *  when on is advice->together. */
 int search_strays(struct search *s, double goal);
 /** Up to when two runs agree to a tenth, in radians or of all velocities. */
 double search_together(const struct search *s, const struct pilot *a, const struct pilot *b);
 /** Whether bodies turn by so much in a step of this run that it does not tell whether finer ones come together. */
 int search_unresolved(const struct search *s, const struct pilot *run);
 
-/** Fills in the offer of o->stepper from two runs, in so many steps and in twice as many. If these have nothing to do with
- *  each other, from finer ones, as far as the work that all of them may take allows, until two of those are as far apart.
- *  Returns 0, -1, ADVISE_SPENT, or ADVISE_PARTED if no two come together: then it is the finest run, or the one before
- *  if they part so early that the finest is not flown to its end, of which the energy's error is known, and
+/** Fills in the offer of o->stepper from two runs, in so many steps and in twice as many. If these have nothing to do
+ *  with each other, from finer ones, as far as the work that all of them may take allows, until two of those are as far
+ *  apart. Returns 0, -1, ADVISE_SPENT, or ADVISE_PARTED if no two come together: then it is the finest run, or the one
+ *  before if they part so early that the finest is not flown to its end, of which the energy's error is known, and
  *  search_law_follow goes on by that once s->measure is the energy. The offer stays as it is if they fail. */
 int search_law(struct search *s, struct offer *o, int64_t steps, double may);
 void search_law_follow(const struct search *s, struct offer *o);

@@ -82,7 +82,8 @@ extern const char *const cost_measures[COST_MEASURES];
 double cost_error(const struct race_result *run, int measure);
 
 /** Steps of the first run of a ladder that is found: they are four times as long as the stable step, and two at least.
- *  model has just been made: lists of pairs depend on what was searched for before, and all ranks are to begin alike. */
+ *  model has just been made: lists of pairs depend on what was searched for before, and all ranks are to begin
+ *  alike. */
 double cost_first_steps(const struct cost_case *c, struct model *model);
 
 /** Goes down the plan's steps. Without any: from that first run on, each next one with sqrt(2) times as many steps. It

@@ -27,8 +27,8 @@ struct cost_plan {
     double memory;      /* bytes that the reference of a case may take on every rank (reference.h) */
 };
 
-/** Lists "exact,rk4" in plan->methods, or for NULL all that can take some of its scenes, so call it after cost_plan_add.
- *  Returns 0, or -1 with one line in *message that names the known ones. */
+/** Lists "exact,rk4" in plan->methods, or for NULL all that can take some of its scenes, so call it after
+ *  cost_plan_add. Returns 0, or -1 with one line in *message that names the known ones. */
 int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message);
 
 /** Adds the scene, which must outlive the plan, with the ends "10,100" or, for NULL, its own. what is where the ends

@@ -3,9 +3,9 @@
  * Where forces have kinks the first part of the time tells nothing of the rest, and whole runs are dear. Two of one
  * stepper, in n and in 2 n steps, are the least. By what order errors fall from the one to the other they do not tell:
  * between the stepper's own, p, and the least that touches leave, k = 2; of multistep methods, which take off what they
- * miss of a touch, between one more and 3 (block, pile, torus and two bodies that meet: 2.8 to 7.9 from one halving to the next for an7,
- * 1.7 to 5.3 for chin4). The difference d is the error of the coarser run; that of the finer one is put amid,
- * d/((2^p - 1)(2^k - 1))^(1/2). To finer steps still errors are followed by k, the slower one. */
+ * miss of a touch, between one more and 3 (block, pile, torus and two bodies that meet: 2.8 to 7.9 from one halving to
+ * the next for an7, 1.7 to 5.3 for chin4). The difference d is the error of the coarser run; that of the finer one is
+ * put amid, d/((2^p - 1)(2^k - 1))^(1/2). To finer steps still errors are followed by k, the slower one. */
 #include "advise.h"
 
 #include <math.h>
@@ -132,10 +132,8 @@ static int tell(struct search *s, struct offer *o, const struct pilot *coarse, c
     if (s->measure != COST_ENERGY)
         s->advice->together = search_together(s, coarse, fine);
     s->advice->max_omega = whole->max_omega;
-    return s->measure != COST_ENERGY &&
-                   !(o->errors[s->trajectory] < SEARCH_TOO_FAR) /* or NaN, where it was not flown on */
-               ? ADVISE_PARTED
-               : 0;
+    const int near = o->errors[s->trajectory] < SEARCH_TOO_FAR; /* 0 of NaN, where it was not flown on */
+    return s->measure != COST_ENERGY && !near ? ADVISE_PARTED : 0;
 }
 
 /** The finer run becomes the coarser one, beside which one in twice as many steps is flown; where the finer one was not
@@ -155,8 +153,8 @@ static double halving(const struct search *s, const vti_stepper *stepper, const 
     return part * 2.0 * (double)fine->steps * pilot_evals(stepper) * (double)s->bodies;
 }
 
-/** The work of the run that is advised on if trajectories do part: without a time finer runs take no more than is left of
- *  that. */
+/** The work of the run that is advised on if trajectories do part: without a time finer runs take no more than is left
+ *  of that. */
 static double work_by_energy(const struct search *s, const struct offer *o)
 {
     struct search by = *s;
@@ -178,10 +176,10 @@ static int fly_whole(struct search *s, const vti_stepper *stepper, struct pilot 
     return result != 0 ? result : search_run_beside(s, stepper, 2 * steps, coarse, fine);
 }
 
-/** Two runs have parted: too coarse, or as all do? Where they parted early it is told by the next one, up to there, before
- *  whole ones are flown. Runs that agree for half as long again as those before, or are half as far apart, or by less
- *  than what says nothing, may still come together. Leaves in the offer what the finest whole runs tell. Returns as
- *  search_law does. */
+/** Two runs have parted: too coarse, or as all do? Where they parted early it is told by the next one, up to there,
+ *  before whole ones are flown. Runs that agree for half as long again as those before, or are half as far apart, or by
+ *  less than what says nothing, may still come together. Leaves in the offer what the finest whole runs tell. Returns
+ *  as search_law does. */
 static int part_again(struct search *s, struct offer *o, double may, struct pilot *coarse, struct pilot *fine)
 {
     static const double longer = 1.5, nearer = 0.5, two_runs = 3.0;

@@ -134,7 +134,8 @@ static int make_law_again(struct stages *g)
     return fmin(wanted, may) < worth * seen || may < 1.0 ? 0 : make_law(g, best, share, 1.0, wanted);
 }
 
-/** Where seconds are limited, the pace: a few steps, before it is decided how much of the time the first runs go over. */
+/** Where seconds are limited, the pace: a few steps, before it is decided how much of the time the first runs go
+ *  over. */
 static int feel_pace(struct stages *g)
 {
     enum { STEPS = 64 };

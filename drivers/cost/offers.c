@@ -5,9 +5,9 @@
 
 #include "plain.h"
 
-/** The error at the end of a stage that becomes the goal at the end of the time. Those of trajectories grow with the time,
- *  or as what strays does if that is more; those of methods whose energy drifts by its power 1 to 2. The energy's own do
- *  not, unless it drifts. */
+/** The error at the end of a stage that becomes the goal at the end of the time. Those of trajectories grow with the
+ *  time, or as what strays does if that is more; those of methods whose energy drifts by its power 1 to 2. The energy's
+ *  own do not, unless it drifts. */
 double offers_growth(const struct search *s, const vti_stepper *stepper, int measure)
 {
     const double longer = s->advice->t_end / s->t_end;

@@ -58,9 +58,9 @@ static double *keep(vti_view *view, double *p, int64_t n, int *finite)
     return p + 3 * n;
 }
 
-/** Whether the two runs are on their way to have nothing to do with each other, errors growing with the time: three times
- *  the angle that says nothing. Late in a run its end is near, and its energy is worth it. Where the coarser one was
- *  ended so, there is nothing more to compare with. */
+/** Whether the two runs are on their way to have nothing to do with each other, errors growing with the time: three
+ *  times the angle that says nothing. Late in a run its end is near, and its energy is worth it. Where the coarser one
+ *  was ended so, there is nothing more to compare with. */
 static int has_parted(const struct flight *f, int64_t mark)
 {
     enum { EARLY = PILOT_MARKS / 4 };

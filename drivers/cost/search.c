@@ -109,7 +109,8 @@ static double unsure(const struct search *s)
     return s->solved && s->measure != COST_ENERGY ? 2.0 * s->advice->known : 0.0;
 }
 
-/** The run was made: its error is as sure as the solution is. One that is not known to as much tells that it is small. */
+/** The run was made: its error is as sure as the solution is. One that is not known to as much tells that it is
+ *  small. */
 static void offer_measured(const struct search *s, struct offer *o, const struct pilot *pilot, double error,
                            const struct price *price)
 {

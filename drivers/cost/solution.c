@@ -33,8 +33,8 @@ static int scene_has(const struct pilot *pilot, int measure)
 
 void search_errors(const struct search *s, const struct pilot *pilot, double errors[COST_MEASURES])
 {
-    static const double enough =
-        6.0; /* an error is right to a half of it, as a solution may be off by twice of known */
+    /* an error is right to a half of it, as a solution may be off by twice of known */
+    static const double enough = 6.0;
     for (int m = 0; m < COST_MEASURES; ++m) {
         const int can_tell = !pilot->failed && scene_has(pilot, m) && (s->solved || m == COST_ENERGY);
         const double error = can_tell ? search_error(s, pilot, m) : NAN;
@@ -113,8 +113,6 @@ static int refine(struct search *s, int measure, double target, struct refining 
         if (result == 0) {
             r->apart = pilot_error(&s->solution, &finer, measure, PILOT_MARKS - 1);
             s->advice->together = search_together(s, &s->solution, &finer);
-        }
-        if (result == 0) {
             struct pilot coarse = s->solution;
             s->solution = finer;
             result = weigh(s, r, target);

@@ -34,9 +34,9 @@ void offers_regrow(struct stages *g, const double before[ADVICE_MOST]);
 /** Of the run, as pilot_cost counts it; infinite where there is none. */
 double offers_cost(const struct offer *o);
 /** The number of the offer of ours that the search goes by, or -1: of those that the last stage has shown the one that
- *  costs least. And of the one that is the advice in the end: the fastest, or, of those that take as long to a tenth, by
- *  which seconds differ from run to run, the one that costs least. If that one's run was made, the advice is one of those
- *  that were: any other costs twice as much. */
+ *  costs least. And of the one that is the advice in the end: the fastest, or, of those that take as long to a tenth,
+ *  by which seconds differ from run to run, the one that costs least. If that one's run was made, the advice is one of
+ *  those that were: any other costs twice as much. */
 int64_t offers_best(const struct stages *g);
 int64_t offers_fastest(const struct stages *g);
 

@@ -7,8 +7,8 @@
 #include "threads.h"
 
 enum {
-    LEAST = 1024,    /* bodies of more than one chunk; each so many are as many chunks more, */
-    CHUNKS = 4,      /* which two threads, or four, share evenly */
+    LEAST = 1024,    /* bodies of more than one chunk; each so many are CHUNKS more */
+    CHUNKS = 4,      /* two threads, or four, share them evenly */
     PAIRS_WORTH = 64 /* of a round: for fewer nobody is woken */
 };
 

@@ -29,8 +29,7 @@ struct chunks {
     double *length;      /* likewise */
 };
 
-/** Chunks of so many bodies, with no pairs. Returns 0, or -1 if memory is out; chunks_destroy follows in either case.
- */
+/** Chunks of so many bodies, without pairs. Returns 0, or -1 if memory is out; chunks_destroy follows either way. */
 int chunks_create(struct chunks *chunks, int64_t bodies);
 void chunks_destroy(struct chunks *chunks);
 

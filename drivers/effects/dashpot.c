@@ -237,8 +237,8 @@ static int make(struct effect *e, const struct model *model, const struct table 
 }
 
 /** The largest c/m by the constants, of a sphere at a wall, or of the two that give way most, of two bodies, where they
- *  touch each other. By zeta and restitution c falls with the stiffness, and what it slows has no further to go than the
- *  overlap. */
+ *  touch each other. By zeta and restitution c falls with the stiffness, and what it slows has no further to go than
+ *  the overlap. */
 static double slowing(const struct effect *e, const struct model *model)
 {
     const vti_dashpots *d = &((const struct dashpot_self *)e->self)->dashpots;

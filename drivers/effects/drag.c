@@ -224,8 +224,8 @@ static int is_turning(const vti_bodies *b, int64_t i)
     return turns;
 }
 
-/** Adds (c + 2k|u|)/m to that of a way; to that of a turn, if there is one, c_r/J by the least moment of inertia, and of
- *  a sphere of a clump what its own drag does at its arm. */
+/** Adds (c + 2k|u|)/m to that of a way; to that of a turn, if there is one, c_r/J by the least moment of inertia, and
+ *  of a sphere of a clump what its own drag does at its arm. */
 static void add_rates(const vti_drag *drag, const struct model *model, int by_spheres, int64_t s, double speed,
                       int moves, int turns, double rate[2])
 {

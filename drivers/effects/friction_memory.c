@@ -67,8 +67,8 @@ static int64_t find_in_chunk(void *context, int64_t k)
     return friction_make_room(history, history->used + pairs + near_walls(f->self, &own, pairs)) != 0;
 }
 
-/** Where bodies have books chunks share some of them: pairs are booked one by one then, and joined afterwards. Returns 0,
- *  or 1 if there is no memory. */
+/** Where bodies have books chunks share some of them: pairs are booked one by one then, and joined afterwards. Returns
+ *  0, or 1 if there is no memory. */
 static int make_books_of_pairs(struct friction_self *self)
 {
     if (self->chunks == NULL || self->friction.by_body == NULL || self->friction.contacts == NULL)

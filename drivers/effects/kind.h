@@ -76,8 +76,8 @@ struct effect_breaks {
     int (*may)(const struct effect *e); /* whether they do in this scene; where they do not, nobody asks for more */
     /** Those that have broken at the end of the step: how many, and in *pair [][2] their bodies. Asked once a step. */
     int64_t (*broken)(struct effect *e, int64_t step, const int64_t **pair);
-    const char *name[2]; /* columns of a run: lines that hold, and fragments that they hold together, */
-    void (*count)(const struct effect *e, double value[2]); /* and their values now */
+    const char *name[2]; /* columns of a run: lines that hold, and fragments that they hold together */
+    void (*count)(const struct effect *e, double value[2]); /* the values of these columns now */
     /** The first body of the fragment that each body is in at the end of the step; -1 of a body that had no line. */
     void (*fragments)(const struct effect *e, int64_t step, double *fragment);
 };
@@ -92,8 +92,8 @@ struct effect_planes {
     /** How each moves, planes first: on and on with the same velocity and spin. NULL, itself or what it returns: none
      *  does. */
     const vti_wall_motion *(*motion)(const struct effect *e);
-    /** The largest |(v - V).N| of a body at x with the velocity v, V being that of a plane or cylinder where it is now, and
-     *  N its normal there. */
+    /** The largest |(v - V).N| of a body at x with the velocity v, V being that of a plane or cylinder where it is now,
+     *  and N its normal there. */
     double (*approach)(const struct effect *e, const double x[3], const double v[3]);
 };
 
@@ -121,8 +121,8 @@ struct effect_invariants {
     int count;
     void (*values)(const struct effect *e, const vti_bodies *bodies, double *values);
     int momenta; /* how many of them are momenta, which are the first */
-    /** The momenta of many states, value[momenta][stride]: body k < count has the attitude, as a quaternion, and Omega of
-     *  body 0 in state k, all numbers of like kind side by side. */
+    /** The momenta of many states, value[momenta][stride]: body k < count has the attitude, as a quaternion, and Omega
+     *  of body 0 in state k, all numbers of like kind side by side. */
     void (*of_states)(const struct effect *e, const vti_bodies *states, double *value, int64_t stride);
 };
 
@@ -141,7 +141,8 @@ struct effect_watch {
     int (*start)(struct effect *e);
     /** Frees what it follows with; nothing is asked after it but start. */
     void (*end)(struct effect *e);
-    /** At every row of the run, with the energy of the motion and of the springs, and a step that none is longer than. */
+    /** At every row of the run, with the energy of the motion and of the springs, and a step that none is longer
+     *  than. */
     void (*row)(struct effect *e, const vti_bodies *bodies, double energy, double h);
     /** At every step, whose velocities may not be known yet. */
     void (*step)(struct effect *e, const vti_bodies *bodies);
@@ -158,8 +159,8 @@ struct effect_kind {
 
     /* What a scene says. */
     const char *key; /* the key at its top that calls for the effect */
-    const struct scene_field
-        *fields; /* the row of that key, then those of the keys in it; offsets are in the settings */
+    /** The row of that key, then those of the keys in it; offsets are in the settings. */
+    const struct scene_field *fields;
     int fields_count;
     size_t settings; /* bytes of the struct that values go to: zeros, then what defaults puts there */
     void (*defaults)(void *settings);
@@ -188,7 +189,8 @@ struct effect_kind {
     int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message);
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */
-    /** Finds the pairs that touch, before forces and energies are evaluated. Returns 0, or -1 with one line in *message. */
+    /** Finds the pairs that touch, before forces and energies are evaluated. Returns 0, or -1 with one line in
+     *  *message. */
     int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
     /** At the end of every step of a model whose lines break: the lines between these count pairs of bodies have just
      *  broken. Returns as find_pairs. */
@@ -197,9 +199,9 @@ struct effect_kind {
     /** At the end of every step of such a model, at t, after what breaks: makes lines anew, and returns how many, or -1
      *  with one line in *message. */
     int64_t (*join)(struct effect *e, struct model *model, int64_t step, double t, struct message *message);
-    /** Makes *part act on the pairs alone that name a body of the slice, if the effect's pairs have changed since the last
-     *  call. Threads call it at the same time, each with a part of its own. Returns 0, or -1 if there is no memory. NULL:
-     *  the effect has no pairs, or a slice goes through all of them. */
+    /** Makes *part act on the pairs alone that name a body of the slice, if the effect's pairs have changed since the
+     *  last call. Threads call it at the same time, each with a part of its own. Returns 0, or -1 if there is no
+     *  memory. NULL: the effect has no pairs, or a slice goes through all of them. */
     int (*take_part)(const struct effect *e, const vti_bodies *slice, struct effect_part *part);
     const struct effect_term *terms; /* of all energies that it may have, and may book */
     int terms_count;
@@ -214,15 +216,15 @@ struct effect_kind {
                   size_t size);
     /** Raises the strain or overlap of *at to what it is when two bodies that meet with this energy have none left. */
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
-    /** The largest energy that a single spring of it holds where the bodies are, of the pairs of the last find_pairs. NULL:
-     *  it has no springs. */
+    /** The largest energy that a single spring of it holds where the bodies are, of the pairs of the last find_pairs.
+     *  NULL: it has no springs. */
     double (*held)(const struct effect *e, const vti_bodies *bodies);
-    /** The largest overlap, as a share of the distance at which the contact begins, of the pairs of the last find_pairs; at
-     *  most 0 where nothing touches. NULL: it has no contacts. */
+    /** The largest overlap, as a share of the distance at which the contact begins, of the pairs of the last
+     *  find_pairs; at most 0 where nothing touches. NULL: it has no contacts. */
     double (*deepest)(const struct effect *e, const vti_bodies *spheres);
-    /** The largest change of a relative velocity by a touch that the step has missed: one that lasts no longer than the time
-     *  between two evaluations of the forces, of bodies that are apart at both ends of the step and overlap in between. Not
-     *  called for clumps. NULL: it misses none. */
+    /** The largest change of a relative velocity by a touch that the step has missed: one that lasts no longer than the
+     *  time between two evaluations of the forces, of bodies that are apart at both ends of the step and overlap in
+     *  between. Not called for clumps. NULL: it misses none. */
     double (*missed)(const struct effect *e, const struct effect_way *way);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
@@ -232,14 +234,15 @@ struct effect_kind {
     double (*slowing_free)(const struct effect *e, const struct model *model);
     /** Which overlapping pairs are in contact: enum effect_touch. NULL: it has no contact between bodies. */
     int (*touching)(const struct effect *e);
-    /** Whether its stiffness follows from the bodies' materials, columns young and poisson of their table. NULL: it does
-     *  not. */
+    /** Whether its stiffness follows from the bodies' materials, columns young and poisson of their table. NULL: it
+     *  does not. */
     int (*by_material)(const struct effect *e);
     /** Where a body i that does not translate is drawn. */
     void (*centre)(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3]);
     const struct effect_invariants *invariants;
     /** energy[i] of each body i < count alone, whose attitudes are quaternions, of an effect with one term that is the
-     *  sum over the bodies; all numbers of like kind lie side by side. NULL: it is no such sum, or nobody has said so. */
+     *  sum over the bodies; all numbers of like kind lie side by side. NULL: it is no such sum, or nobody has said
+     *  so. */
     void (*each)(const struct effect *e, const vti_bodies *bodies, double *energy);
     const struct effect_lines *lines;
     const struct effect_planes *planes;

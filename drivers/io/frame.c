@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "record.h"
 
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
 

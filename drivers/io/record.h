@@ -17,9 +17,9 @@ struct frame_layout {
     int64_t n;
     int translates, turns;
     int64_t x, v, omega, alpha;             /* where they are in the frame; 0 is absent */
-    int64_t lost, entries;                  /* and the entries of what bodies have lost (model_body_books), */
-    const char *entry[EFFECT_TERMS_OF_ALL]; /* their names, */
-    const struct model *booking;            /* and the model that books them */
+    int64_t lost, entries;                  /* where what bodies have lost is; how many entries (model_body_books) */
+    const char *entry[EFFECT_TERMS_OF_ALL]; /* names of the entries */
+    const struct model *booking;            /* the model that books them */
     int64_t doubles;                        /* of the whole frame */
     const int64_t *number; /* [n] where bodies go that frames are taken of (renumber.h); NULL: as they are */
 };

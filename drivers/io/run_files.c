@@ -12,8 +12,8 @@ enum { HDF5, CSV, XDMF, DUMP, SPHERES, KINDS };
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
 
-/** OUT.xdmf, which is XML, names files that stand beside it: whether it can. Its readers leave blanks in front out, and take what
- *  stands before a colon for none of the name. Returns 0, or -1 with one line in *message. */
+/** OUT.xdmf, which is XML, names files that stand beside it: whether it can. Its readers leave blanks in front out, and
+ *  take what stands before a colon for none of the name. Returns 0, or -1 with one line in *message. */
 static int check_characters(const char *name, struct message *message)
 {
     char shown[QUOTE_SIZE];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Grids over time that share the points: "bodies" and one for the lines of each effect that has any, "bonds". Every
- * array is a slab of the rows of one frame in a dataset of /VTKHDF. Of clumps "spheres" is such a grid of OUT-spheres.h5.
- * Another grid for the planes of an effect, "walls", has a square for each: one of all times, or where planes move one
- * of each frame. */
+ * array is a slab of the rows of one frame in a dataset of /VTKHDF. Of clumps "spheres" is such a grid of
+ * OUT-spheres.h5. Another grid for the planes of an effect, "walls", has a square for each: one of all times, or where
+ * planes move one of each frame. */
 #include "run_formats.h"
 
 #include <math.h>

@@ -53,8 +53,8 @@ int cost_files_write(const struct cost *cost, const char *folder, struct message
 
 /* ---- a survey ---------------------------------------------------------------------------------------------------- */
 
-/* The files of a survey, together: study.csv and timing.csv with the swept values as further
- * columns, study.h5 with a table for runs, points, orders, means and spreads. */
+/* The files of a survey, together: study.csv and timing.csv with the swept values as further columns, study.h5 with a
+ * table for runs, points, orders, means and spreads. */
 
 /** What is counted while they are written. */
 struct survey_counts {

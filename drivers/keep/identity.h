@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What a run or a study is, as text: lines "key: value" of all that its result depends on. It resumes only as that.
- */
+ * What a run or a study is, as text: lines "key: value" of all that its result depends on. It resumes only as that. */
 #ifndef VTI_IDENTITY_H
 #define VTI_IDENTITY_H
 

@@ -142,8 +142,8 @@ static size_t whole_size(const struct checkpoint *checkpoint)
 struct pieces {
     struct journal *journal;
     unsigned char *piece;
-    int64_t number; /* of the piece that is being filled, */
-    size_t filled;  /* so far */
+    int64_t number; /* of the piece that is being filled */
+    size_t filled;  /* bytes of it so far */
     uint64_t digest;
     int failed;
     struct message *message;

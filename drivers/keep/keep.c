@@ -38,19 +38,32 @@ int keep_damaged(const struct keep *keep, const char *how, struct message *messa
                        keep->path, how, keep->what);
 }
 
+static int fail_as_damaged(struct keep *keep, struct message *message)
+{
+    keep->reason = 0;
+    return keep_damaged(keep, "is none of vti's, or is damaged", message);
+}
+
+/** The failure after which nothing more can be put. */
+static int fail_again(struct keep *keep, struct message *message)
+{
+    return keep->reason != 0 ? fail_as(keep, keep->reason, message) : fail_as_damaged(keep, message);
+}
+
 /** What SQLite has against the last call. */
 static int fail(struct keep *keep, struct message *message)
 {
     const int last = errno, code = sqlite3_extended_errcode(keep->db), reason = sqlite3_system_errno(keep->db);
     switch (code & 0xff) {
     case SQLITE_BUSY:
+        keep->reason = EBUSY;
         return message_set(message,
                            "%.600s: another vti-%s is writing there; wait for it or choose another place with -o",
                            keep->path, keep->what);
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
     case SQLITE_ERROR: /* the tables are not ours */
-        return keep_damaged(keep, "is none of vti's, or is damaged", message);
+        return fail_as_damaged(keep, message);
     case SQLITE_FULL:
         return fail_as(keep, ENOSPC, message);
     case SQLITE_NOMEM:
@@ -85,7 +98,7 @@ int keep_put(struct keep *keep, enum keep_table table, int64_t number, const voi
 {
     struct sqlite3_stmt *put = keep->put[table];
     if (is_broken(keep))
-        return fail_as(keep, keep->reason, message);
+        return fail_again(keep, message);
     sqlite3_bind_int64(put, 1, number);
     if (table == KEEP_IDENTITY)
         sqlite3_bind_text64(put, 2, bytes, size, SQLITE_STATIC, SQLITE_UTF8);
@@ -169,7 +182,7 @@ int keep_commit(struct keep *keep, struct message *message)
 {
     const double begin = keep_now();
     if (is_broken(keep))
-        return fail_as(keep, keep->reason, message);
+        return fail_again(keep, message);
     if (has_gone(keep))
         return fail_as(keep, ENOENT, message);
     if (execute(keep, "COMMIT; BEGIN", message) != 0)

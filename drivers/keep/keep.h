@@ -25,7 +25,7 @@ struct keep {
     int there;  /* the file was there before */
     int holds;  /* something is committed in it, by this program or an earlier one */
     int waits;  /* something has been put since */
-    int reason; /* errno of what has failed last */
+    int reason; /* errno of what has failed last; 0: the file is damaged */
     double due; /* clock: when keep_settle commits next */
     struct sqlite3_stmt *put[KEEP_TABLES], *get[KEEP_TABLES];
 };
@@ -41,8 +41,7 @@ int keep_open(struct keep *keep, const char *path, const char *what, const char 
 int keep_put(struct keep *keep, enum keep_table table, int64_t number, const void *bytes, size_t size,
              struct message *message);
 
-/** The piece of this number, valid until the next call. Returns 1, 0 if there is none, or -1 with one line in *message.
- */
+/** The piece of this number, until the next call. Returns 1, 0 if there is none, or -1 with one line in *message. */
 int keep_get(struct keep *keep, enum keep_table table, int64_t number, const void **bytes, size_t *size,
              struct message *message);
 

@@ -19,8 +19,8 @@ static int read_start(int fd, unsigned char *start, size_t size)
     return fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && pread(fd, start, size, 0) >= 0;
 }
 
-/** Whether a file of SQLite may begin so: as it says, or with zeros, which it writes before what they stand for, or with
- *  as much of that as was written over them before a kill. */
+/** Whether a file of SQLite may begin so: as it says, or with zeros, which it writes before what they stand for, or
+ *  with as much of that as was written over them before a kill. */
 static int begins(const unsigned char *start, const void *as, size_t size)
 {
     size_t k = 0;

@@ -47,8 +47,8 @@ static int is_text(const char *path, const struct mark *mark)
            (mark->holds == NULL || strstr(start, mark->holds) != NULL);
 }
 
-/** Whether the regular file at path may be a file of ours that was half written when its program was killed. HDF5 writes
- *  the first bytes last, and so may the system. */
+/** Whether the regular file at path may be a file of ours that was half written when its program was killed. HDF5
+ *  writes the first bytes last, and so may the system. */
 static int is_half(const char *path, const struct mark *mark)
 {
     static const char zeros[8];

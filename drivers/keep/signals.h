@@ -3,9 +3,8 @@
 #ifndef VTI_SIGNALS_H
 #define VTI_SIGNALS_H
 
-/** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, but one that comes
- *  seconds after another, which ends the program; and a file that grows too large or a pipe that
- *  nobody reads any more is an error, not a signal. */
+/** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, but one that comes seconds after another, which
+ *  ends the program; and a file that grows too large or a pipe that nobody reads any more is an error, not a signal. */
 void run_signals_catch(void);
 /** "SIGTERM", say, if one has come, else NULL. */
 const char *run_signals_seen(void);

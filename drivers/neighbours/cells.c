@@ -32,8 +32,8 @@ struct cell {
 /* ---- cells ------------------------------------------------------------------------------------------------------- */
 
 /** Cells of level 0 are as wide as two of the longest that touch need them, those of each level half as wide as those
- *  of the level before. A body is of the last level whose cells are wide enough for two of its own radius, so that among
- *  many short bodies a long one does not put all of them into one cell. */
+ *  of the level before. A body is of the last level whose cells are wide enough for two of its own radius, so that
+ *  among many short bodies a long one does not put all of them into one cell. */
 static int64_t level_of(const struct cells *s, double radius, double skin)
 {
     const double least = (2.0 * radius + skin) * cell_margin;

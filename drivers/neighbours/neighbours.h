@@ -7,8 +7,8 @@
  * The domain has no bounds; only cells with bodies in them exist, so that bodies that fly away cost nothing. Time and
  * memory are O(n + pairs), of spheres of any sizes: small ones have narrower cells (cells.h). At random places, with
  * equal volumes of two sizes that fill 0.6, a build takes 1.9 times the instructions of equal spheres per body for
- * diameters of 1:3, 1.6 times for 1:5 and 1.5 times for 1:10; 3.1 times for all sizes between 1 and 20 in equal shares of
- * the volume. */
+ * diameters of 1:3, 1.6 times for 1:5 and 1.5 times for 1:10; 3.1 times for all sizes between 1 and 20 in equal shares
+ * of the volume. */
 #ifndef VTI_NEIGHBOURS_H
 #define VTI_NEIGHBOURS_H
 

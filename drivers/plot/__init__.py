@@ -3,6 +3,7 @@
 import logging
 import os
 
-# Before matplotlib is imported by whatever module. A user's settings, which may even be broken, must not change the bytes of a picture.
+# Before matplotlib is imported by whatever module. A user's settings, which may even be broken, must not change the
+# bytes of a picture.
 os.environ.update(MPLBACKEND="Agg", MATPLOTLIBRC=os.devnull)
 logging.getLogger("matplotlib").setLevel(logging.ERROR)     # it warns where there is no home to keep its fonts' list in

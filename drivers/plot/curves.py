@@ -46,7 +46,8 @@ def largest(values):
 def time_axis(axes, t=None):
     """t: all times, where what is drawn does not reach the ends (means of slices)."""
     axes.set_xlabel("time $t$")
-    axes.ticklabel_format(axis="x", style="sci", scilimits=(-2, 4), useMathText=True)     # or labels of short times overlap
+    # or labels of short times overlap
+    axes.ticklabel_format(axis="x", style="sci", scilimits=(-2, 4), useMathText=True)
     axes.margins(x=0)
     if t is not None and t[0] < t[-1]:
         axes.set_xlim(t[0], t[-1])

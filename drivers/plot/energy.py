@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""energy.png: where the energy is over time, as a stack that adds up to the total, and below it each term by itself on a
-logarithmic scale, because the small ones do not show in the stack."""
+"""energy.png: where the energy is over time, as a stack that adds up to the total, and below it each term by itself on
+a logarithmic scale, because the small ones do not show in the stack."""
 import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.patheffects import withStroke

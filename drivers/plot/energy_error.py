@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """energy_error.png: the relative error of the total energy over time. A long run shows as the band between the smallest
-and the largest value of every slice of time, with the mean in it; how far a line fitted to it moves tells a slow change from
-an oscillation."""
+and the largest value of every slice of time, with the mean in it; how far a line fitted to it moves tells a slow change
+from an oscillation."""
 import math
 
 import numpy as np

@@ -43,7 +43,8 @@ def make(run, folder):
 
 
 def _light(bar, run, chosen, encoded):
-    """The film as wide as is light enough. Pictures are drawn once, and kept as small as they can be for narrower films."""
+    """The film as wide as is light enough. Pictures are drawn once, and kept as small as they can be for narrower
+    films."""
     scene, width, kept = scenery.Scenery(run, map(run.frame, chosen)), WIDTH, []
     film = encoded(bar.over(_keeping(_pictures(run, scene, chosen), kept), len(chosen)))
     while len(film) > LARGEST and width > NARROWEST:
@@ -92,8 +93,8 @@ def _narrower(kept, size):
 
 
 def _gif(pictures):
-    """One palette for all, so that what does not move does not flicker and costs nothing: the colours of the scenery, which come
-    and go (no picture need show a contact), and three between those that meet at edges."""
+    """One palette for all, so that what does not move does not flicker and costs nothing: the colours of the scenery,
+    which come and go (no picture need show a contact), and three between those that meet at edges."""
     colours = [np.array(ImageColor.getrgb(name)) for name in scenery.COLOURS]
     for one, other in scenery.EDGES:
         ends = np.array(ImageColor.getrgb(one)), np.array(ImageColor.getrgb(other))

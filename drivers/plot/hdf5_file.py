@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reading HDF5 so that every way in which it can fail becomes one sentence. study_file and run_file say what should be in
-a file; what is common to both is here."""
+"""Reading HDF5 so that every way in which it can fail becomes one sentence. study_file and run_file say what should be
+in a file; what is common to both is here."""
 import os
 from contextlib import contextmanager
 

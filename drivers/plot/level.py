@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes that stand on none of the coordinate planes, so that no picture in two coordinates shows them from the side: there bodies
-and walls are seen in a frame of the first such plane, along it and off it."""
+"""Planes that stand on none of the coordinate planes, so that no picture in two coordinates shows them from the side:
+there bodies and walls are seen in a frame of the first such plane, along it and off it."""
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +9,8 @@ ALONG = 1e-9            # components of unit vectors: so small is none
 
 
 def axes_of(walls):
-    """Rows are the axes of the frame, the last of them normal to the plane; None if coordinates show all that there is."""
+    """Rows are the axes of the frame, the last of them normal to the plane; None if coordinates show all that there
+    is."""
     normals = walls.planes[:, :3]
     if len(walls.cylinders) or not len(normals) or np.any(np.abs(normals) <= ALONG):
         return None

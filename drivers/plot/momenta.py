@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """momenta.png: how far the linear momentum, the sum of the spins and the total angular momentum are from where they
-began, component by component on a logarithmic scale, for some are kept to rounding and others change by their own size."""
+began, component by component on a logarithmic scale, for some are kept to rounding and others change by their own
+size."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,8 +53,8 @@ def rounding(run, t, largest):
 
 
 def scale(run, vector):
-    """Rounding is relative to what is exchanged, not to sums that may be 0: sums of m|v| and J|Omega|, which are at least twice the
-    energy over the fastest, and of |x| m|v|. Lengths, and so what is to be compared, have any unit."""
+    """Rounding is relative to what is exchanged, not to sums that may be 0: sums of m|v| and J|Omega|, which are at
+    least twice the energy over the fastest, and of |x| m|v|. Lengths, and so what is to be compared, have any unit."""
     linear = max(_largest(run, "momentum"), _exchanged(run, "kinetic_translation", "velocity"))
     spin = max(_largest(run, "spin"), _exchanged(run, "kinetic_rotation", "omega"))
     if vector == "angular":

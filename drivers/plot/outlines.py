@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is seen of bodies: spheres, the spheres of clumps, or ellipsoids of three moments; each has a centre and an outline."""
+"""What is seen of bodies: spheres, the spheres of clumps, or ellipsoids of three moments; each has a centre and an
+outline."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,8 +15,8 @@ class Outlines:
     body: np.ndarray        # k: whose they are
 
     def ellipses(self, plane):
-        """Widths, heights and angles in degrees of the outlines in a plane of two coordinates: what an ellipsoid spans along
-        a direction n of the plane is the root of n.squares n."""
+        """Widths, heights and angles in degrees of the outlines in a plane of two coordinates: what an ellipsoid spans
+        along a direction n of the plane is the root of n.squares n."""
         if self.squares is None:
             across = 2 * self.reach[:, 0]
             return across, across, np.zeros(len(across))
@@ -37,7 +38,8 @@ def of(run, frame, radius):
 
 
 def radius(run, frame):
-    """Half the diameters; of ellipsoids half the shortest axis; bodies without any are dots a fiftieth of the scene wide."""
+    """Half the diameters; of ellipsoids half the shortest axis; bodies without any are dots a fiftieth of the scene
+    wide."""
     if run.clumps is not None:
         return 0.5 * run.clumps.diameter
     if frame.ellipsoid is not None:

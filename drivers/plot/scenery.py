@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies as circles and ellipses in a plane, with what shapes.png and the film have in common: one plane and one window for all
-frames, planes, lines between bodies, marks that turn with the bodies, and contacts."""
+"""Bodies as circles and ellipses in a plane, with what shapes.png and the film have in common: one plane and one window
+for all frames, planes, lines between bodies, marks that turn with the bodies, and contacts."""
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 
@@ -21,8 +21,8 @@ EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTAC
 
 class Scenery:
     def __init__(self, run, frames):
-        """frames: all that will be drawn, the first of them at t = 0; or as many as show how far the bodies get. They may come one by
-        one: but for the first none is kept."""
+        """frames: all that will be drawn, the first of them at t = 0; or as many as show how far the bodies get. They
+        may come one by one: but for the first none is kept."""
         self.run = run
         self.detailed = run.bodies <= MOST_MARKED
         self.level = level.axes_of(run.walls)
@@ -36,7 +36,8 @@ class Scenery:
             low, high = np.zeros(2), np.max(highs - lows, axis=0)
         else:
             low, high = self._with_cylinders(times, low, high)
-        margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
+        # a point has a window, too
+        margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)
         self.small = 2 * np.min(self.radius) < SMALL * (np.max(high - low) + 2 * margin)
         self.marked = run.turns and self.detailed and not self.small and not run.breaks and run.clumps is None
         if self.marked:     # ends of marks are a radius away from their bodies
@@ -47,7 +48,8 @@ class Scenery:
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
 
     def _look_at(self, frames):
-        """One pass: the first frame, how far bodies move along x, y and z, and of each frame what it extends over, and its time."""
+        """One pass: the first frame, how far bodies move along x, y and z, and of each frame what it extends over, and
+        its time."""
         first, moved, extents, times = None, np.zeros(3), [], []
         self.fragment_colours = {}
         for frame, colours in _with_colours(map(self._seen, frames)):
@@ -116,13 +118,15 @@ class Scenery:
         return bool(np.any(touching))
 
     def _fills(self, frame, seen):
-        """Colours of what is seen: one for all, those of the fragments that bodies are in, or of clumps each its own."""
+        """Colours of what is seen: one for all, those of the fragments that bodies are in, or of clumps each its
+        own."""
         if self.run.clumps is not None:
             return np.array(CLUMPS)[(seen.body + seen.body // len(CLUMPS)) % len(CLUMPS)]
         return _painted(frame, self.fragment_colours[frame.t]) if frame.t in self.fragment_colours else fragment_colours([frame])[0]
 
     def _touching(self, frame):
-        """Bodies that overlap a plane, or another body which the scene lets them touch; of clumps the colours say more."""
+        """Bodies that overlap a plane, or another body which the scene lets them touch; of clumps the colours say
+        more."""
         touching = np.zeros(len(self.radius), bool)
         if self.run.diameter is None or self.run.clumps is not None or not self.detailed:
             return touching
@@ -137,9 +141,9 @@ class Scenery:
 
 
 def _plane(moved, some, walls_of):
-    """The two coordinates to draw; left out is the one, of some from the first on, in which bodies move least, the last of them
-    if that does not tell. Cylinders that turn are seen along their axes, floors from the side: what a plane without another one opposite
-    is normal to is not left out, but where such planes are normal to all."""
+    """The two coordinates to draw; left out is the one, of some from the first on, in which bodies move least, the last
+    of them if that does not tell. Cylinders that turn are seen along their axes, floors from the side: what a plane
+    without another one opposite is normal to is not left out, but where such planes are normal to all."""
     turning, sides = _signs(walls_of.cylinders[walls_of.cylinder_spin != 0, :3]), _signs(walls_of.planes[:, :3])
     free = ([axis for axis in range(some) if np.any(turning[:, axis])]
             or [axis for axis in range(some) if len(set(sides[:, axis]) - {0.0}) != 1] or list(range(some)))
@@ -154,8 +158,8 @@ def _signs(vectors):
 
 
 def _outward(frame, plane):
-    """The body-fixed direction of each mark. At t = 0 it is in the picture's plane and points away from the middle of all
-    bodies; bodies in a row have it across the row, where it cannot be taken for a bond."""
+    """The body-fixed direction of each mark. At t = 0 it is in the picture's plane and points away from the middle of
+    all bodies; bodies in a row have it across the row, where it cannot be taken for a bond."""
     away = frame.x[:, plane] - frame.x[:, plane].mean(axis=0)
     spread, directions = np.linalg.eigh(away.T @ away)
     if spread[0] <= 1e-12 * spread[1]:
@@ -172,9 +176,9 @@ def fragment_colours(frames):
 
 
 def _with_colours(frames):
-    """Frames and the colours of their fragments by number. A fragment keeps its colour: of the pieces that one has broken into the one
-    with most of its bodies does, and each other one gets a colour that no fragment has, while there is one, else that of the fewest
-    bodies."""
+    """Frames and the colours of their fragments by number. A fragment keeps its colour: of the pieces that one has
+    broken into the one with most of its bodies does, and each other one gets a colour that no fragment has, while there
+    is one, else that of the fewest bodies."""
     before = None
     for frame in frames:
         colour = {}

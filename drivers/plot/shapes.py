@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""shapes.png: the bodies at equally spaced times, until they rest, one scale and one window for all, as in the paper's figure of
-the deformed torus."""
+"""shapes.png: the bodies at equally spaced times, until they rest, one scale and one window for all, as in the paper's
+figure of the deformed torus."""
 import numpy as np
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
@@ -81,14 +81,15 @@ def draw(run):
 
 
 def _power(windows):
-    """That of ten in which both coordinates, whose scales are one, are written: millimetres in metres, say; 0 near 1."""
+    """That of ten in which both coordinates, whose scales are one, are written: millimetres in metres, say; 0 near
+    1."""
     power = int(np.floor(np.log10(np.max(np.abs(windows)) / 2)))
     return 0 if -2 < power < 4 else power
 
 
 def until_rest(run, scene):
-    """How many frames there are until bodies are where they are at the end, and slow; all of them where walls move or the window
-    does."""
+    """How many frames there are until bodies are where they are at the end, and slow; all of them where walls move or
+    the window does."""
     count = len(run.times)
     if scene.follows or run.walls.move():
         return count
@@ -107,7 +108,8 @@ def _is_calm(run, start):
 
 
 def _apart(frame, other, size, turns):
-    """How far bodies are from where they are in another frame, in sizes, or in radians; infinite where bonds have broken."""
+    """How far bodies are from where they are in another frame, in sizes, or in radians; infinite where bonds have
+    broken."""
     if len(frame.lines) != len(other.lines):
         return np.inf
     far = np.max(np.abs(frame.x - other.x if frame.spheres is None else frame.spheres - other.spheres)) / size
@@ -116,7 +118,8 @@ def _apart(frame, other, size, turns):
 
 
 def _choose(count, numbers):
-    """Frames at equally spaced times from the first to the last, as many as fit of these numbers; all of them if they are few."""
+    """Frames at equally spaced times from the first to the last, as many as fit of these numbers; all of them if they
+    are few."""
     if count <= max(numbers):
         return list(range(count))
     panels = next((panels for panels in numbers if (count - 1) % (panels - 1) == 0), numbers[0])

@@ -127,8 +127,9 @@ def save(figure, path, option=""):
 
 
 def write(content, path, option=""):
-    """All of it or nothing: it is made in memory, written beside its place under a name that nothing has, and then moved there.
-    Links stay, and what they lead to is replaced, as vti-run does. option: " with -o" where the program has it for another folder."""
+    """All of it or nothing: it is made in memory, written beside its place under a name that nothing has, and then
+    moved there. Links stay, and what they lead to is replaced, as vti-run does. option: " with -o" where the program
+    has it for another folder."""
     place = os.path.realpath(path)
     partial = f"{place}.{os.getpid()}.part"
     try:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes and cylinders of a run where they are at a time: what lies behind them is shaded, if they stand on the plane of the
-picture."""
+"""Planes and cylinders of a run where they are at a time: what lies behind them is shaded, if they stand on the plane
+of the picture."""
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.patches import PathPatch, Polygon
@@ -22,8 +22,8 @@ def gaps(walls, frame):
 
 
 def circles(walls, t, plane):
-    """Of the cylinders whose axes the coordinates in plane leave out: centre, radius, and a frame of two vectors that turns
-    with the cylinder."""
+    """Of the cylinders whose axes the coordinates in plane leave out: centre, radius, and a frame of two vectors that
+    turns with the cylinder."""
     for cylinder in walls.cylinders_at(t):
         axis, angle = cylinder[:3], cylinder[7]
         if np.hypot(*axis[plane]) > ALONG:

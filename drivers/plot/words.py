@@ -92,8 +92,8 @@ PLACES = 5          # decimals of an order, at most
 
 
 def with_interval(value, interval):
-    """2.003 ± 0.001, as vti-study prints it: the interval is rounded up to one digit, so that no figure claims more than the
-    fit, and the value has as many decimals; five at most, of which the interval is one at the least."""
+    """2.003 ± 0.001, as vti-study prints it: the interval is rounded up to one digit, so that no figure claims more
+    than the fit, and the value has as many decimals; five at most, of which the interval is one at the least."""
     if not math.isfinite(interval):
         return f"{value:.2f}"
     def units(places):
@@ -112,8 +112,8 @@ def order_text(fit):
 
 
 def nearest_order(fit):
-    """The order a method of such a slope is said to have: a multiple of a half if one is near or within the interval, else
-    one decimal."""
+    """The order a method of such a slope is said to have: a multiple of a half if one is near or within the interval,
+    else one decimal."""
     half = round(2 * fit["order"]) / 2
     near = max(0.1, fit["interval"] if math.isfinite(fit["interval"]) else 0.0)
     return half if abs(fit["order"] - half) <= near else round(fit["order"], 1)

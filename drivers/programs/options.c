@@ -2,6 +2,7 @@
  * Reads the command line by a table of options (options.h); prints --help and --version. */
 #include "options.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <popt.h>
@@ -120,6 +121,7 @@ static void make_tables(const struct option_row *rows, struct poptOption *top, s
         {"version", '\0', POPT_ARG_NONE, NULL, VERSION, "version, commit, compiler, flags and vector units", NULL}};
     int told = 0; /* of --help: they close the first options */
     for (const struct option_row *row = rows;; ++row) {
+        assert(row - rows < ROWS); /* then neither list has more than it can hold, and no code is HELP's */
         if (row->name != NULL) {
             *tables++ = popt_row(row, (int)(row - rows) + 1);
             continue;

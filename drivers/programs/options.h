@@ -64,8 +64,8 @@ enum options_end {
 enum options_end options_read(const struct options *options, int argc, char **argv, int print,
                               const char *const **scenes, int *count, struct message *message);
 
-/** Refuses --set KEY=... where the program would pass over that value; instead says what to do. Returns 0, or -1 with one
- *  line in *message. */
+/** Refuses --set KEY=... where the program would pass over that value; instead says what to do. Returns 0, or -1 with
+ *  one line in *message. */
 int options_refuse_set(const struct option_list *sets, const char *key, const char *instead, struct message *message);
 
 /** Besides EXIT_SUCCESS and EXIT_FAILURE: the verdict is bad; it was told to stop, and --resume goes on (EX_TEMPFAIL of

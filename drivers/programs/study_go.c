@@ -21,7 +21,8 @@ static int count_ranks(void)
 
 /* ---- from plan to files ------------------------------------------------------------------------------------------ */
 
-/** What the three kinds of studies differ in; *result is theirs. Those that return an int return 0, or not with *message. */
+/** What the three kinds of studies differ in; *result is theirs. Those that return an int return 0, or not with
+ *  *message. */
 struct study_kind {
     void (*say_plan)(const void *plan);
     int (*run)(const void *plan, const struct study_watch *watch, const struct store *store, void *result,

@@ -36,8 +36,9 @@ void study_table_write(const struct study *study, FILE *file);
 int survey_table_write(const struct survey *survey, FILE *file, struct message *message);
 /** Nine letters: 1/64 where h is the inverse of a whole number, a decimal number elsewhere. */
 void study_print_h(double h, FILE *file);
-/** Twenty letters: 1.93 +- 0.02, the interval rounded up to one digit and the order to the same place, of five decimals at
- *  most (as with_interval of drivers/plot/words.py); no interval where it is not known, "-" where there is no order. */
+/** Twenty letters: 1.93 +- 0.02, the interval rounded up to one digit and the order to the same place, of five decimals
+ *  at most (as with_interval of drivers/plot/words.py); no interval where it is not known, "-" where there is no
+ *  order. */
 void study_print_order(double order, double interval, FILE *file);
 /** The price list of every case, and what the next digit costs. */
 void cost_table_write(const struct cost *cost, FILE *file);

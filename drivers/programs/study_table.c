@@ -41,9 +41,9 @@ void study_print_order(double order, double interval, FILE *file)
     int places = 0;
     while (places < PLACES && units(interval, places + 1) <= LARGEST)
         ++places;
+    const double shown = fabs(order) * ten_to(places) > 0.5 ? order : 0.0; /* never -0 */
     if (!isnan(order) && isfinite(interval))
-        snprintf(text, sizeof text, "%.*f +- %.*f", places,
-                 fabs(order) * ten_to(places) > 0.5 ? order : 0.0 /* no -0 */, places,
+        snprintf(text, sizeof text, "%.*f +- %.*f", places, shown, places,
                  fmax(1.0, units(interval, places)) / ten_to(places));
     else if (!isnan(order))
         snprintf(text, sizeof text, "%.2f", order);

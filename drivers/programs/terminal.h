@@ -25,8 +25,8 @@ void progress_clear(void);
 /* ---- where there is no terminal ---------------------------------------------------------------------------------- */
 
 /* Lines on the standard error, so that logs show that a program is alive: a minute apart or more, or as many seconds as
- * VTI_LOG in the environment says, where 0 is never. progress_show_what writes "vti-study: runs: 37 % done, about 25 min
- * left". */
+ * VTI_LOG in the environment says, where 0 is never. progress_show_what writes "vti-study: runs: 37 % done, about 25
+ * min left". */
 
 /** The program that says so; until then nobody does. It says first if VTI_LOG is no number, and is then left as without
  *  it. */
@@ -38,8 +38,8 @@ void log_step(int64_t step, int64_t steps, double t, double left, double seconds
 /* ---- the last words ---------------------------------------------------------------------------------------------- */
 
 /** Where a program says why it ends that has been told to: the launcher's standard error if that is a terminal, for a
- *  launcher that has been told too may pass on nothing any more (that of Open MPI 4 on a busy machine, that of 5 never);
- *  else the standard error. */
+ *  launcher that has been told too may pass on nothing any more (that of Open MPI 4 on a busy machine, that of 5
+ *  never); else the standard error. */
 FILE *last_words(void);
 
 #endif

@@ -8,7 +8,6 @@
 #include "advise_text.h"
 #include "options.h"
 #include "table_hdf5.h"
-#include "terminal.h"
 #include "unused.h"
 
 static struct option_list sets;
@@ -41,9 +40,8 @@ static const struct option_row rows[] = {
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY,
      "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, predicted_force_evals, source, "
-     "interval, errors, "
-     "stable_h, "
-     "h_max_omega, measure, trajectories_until, pilots, alternatives; warnings go to stderr"},
+     "interval, errors, stable_h, h_max_omega, measure, trajectories_until, pilots, alternatives; warnings go to "
+     "stderr"},
     {0}};
 
 static const struct options options = {"vti-advise", "", "[options] SCENE.yaml", rows, 1};

@@ -164,10 +164,10 @@ static int rates(double t, const double state[], double rate[], void *self)
 
 /* ---- what rounding leaves ---------------------------------------------------------------------------------------- */
 
-/* Positions are known to an ulp, |x| eps, by which the forces of a stiff bond change by K |x| eps, however small the step
- * is; and a step goes through several such errors. Where bodies stand far from the origin, or are light and small, that
- * is more than a tolerance near eps asks for, and steps would be cut to nothing for it. Where an oscillation brings it to
- * less than some tolerances it does no harm, and steps are as if there were none. */
+/* Positions are known to an ulp, |x| eps, by which the forces of a stiff bond change by K |x| eps, however small the
+ * step is; and a step goes through several such errors. Where bodies stand far from the origin, or are light and small,
+ * that is more than a tolerance near eps asks for, and steps would be cut to nothing for it. Where an oscillation
+ * brings it to less than some tolerances it does no harm, and steps are as if there were none. */
 static const double stages = 4.0, some = 64.0;
 
 /** One ulp up or down, whichever comes. */

@@ -36,8 +36,8 @@ struct equations {
     gsl_odeiv2_driver *driver;
 };
 
-/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is; watch is asked
- *  on the way. Returns 0, or -1 with one line in *message. */
+/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is; watch is
+ *  asked on the way. Returns 0, or -1 with one line in *message. */
 int equations_create(struct equations *equations, struct model *model, double tolerance, const struct watch *watch,
                      struct message *message);
 void equations_destroy(struct equations *equations);

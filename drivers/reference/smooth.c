@@ -10,8 +10,8 @@
 
 /* The tolerance of a step of rk8pd, and the share of the state that interpolation may add. */
 static const double step_tolerance = 1e-14, interpolation_tolerance = 1e-13;
-/* That of a second solution, which tells how errors of a step have grown. They go as the tolerance: what the first one is
- * off by is a hundredth of how far the two are apart, and a thirtieth is said; but where they have parted. */
+/* That of a second solution, which tells how errors of a step have grown. They go as the tolerance: what the first one
+ * is off by is a hundredth of how far the two are apart, and a thirtieth is said; but where they have parted. */
 static const double looser = 100.0, share_of_spread = 1.0 / 30.0;
 /* The first panels, but not so many at first. They are halved until the interpolants are good, as long as that helps or
  * takes no memory that is not there. */

@@ -23,8 +23,8 @@ struct smooth {
     vti_sum *sums;  /* [panels.held]: ||q||^2 up to the start of the panels of sums_window */
     int64_t sums_window, sums_known; /* and the last of them that is known */
     double energy_error;             /* largest |E - E_0| at the ends of the panels */
-    double tail;                     /* largest panels_tail in units of the state, */
-    double interpolation_error;      /* and in that of the norm */
+    double tail;                     /* largest panels_tail in units of the state */
+    double interpolation_error;      /* the same in the unit of the norm */
     double spread;                   /* smooth_spread */
     double *samples;      /* [SMOOTH_SAMPLES][a state's width]: at SMOOTH_SAMPLES times, evenly up to t_end */
     double rounding;      /* of velocities and spins in all steps, where that is above the tolerance; else 0 */

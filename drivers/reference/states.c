@@ -43,7 +43,7 @@ void states_put(const struct states *s, const vti_bodies *b, int64_t k, double *
     }
 }
 
-/* ---- kicks that are owed ------------------------------------------------------------------------------------------ */
+/* ---- kicks that are owed ----------------------------------------------------------------------------------------- */
 
 int64_t states_loads(const struct states *s)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Many states of the same bodies side by side; the integrands of the norms (EQUATIONS 4), energies and momenta of all of
- * them at once, with the bits of vti_h1_density, vti_h1_distance, vti_energy and so on of each. */
+ * Many states of the same bodies side by side; the integrands of the norms (EQUATIONS 4), energies and momenta of all
+ * of them at once, with the bits of vti_h1_density, vti_h1_distance, vti_energy and so on of each. */
 #ifndef VTI_STATES_H
 #define VTI_STATES_H
 
@@ -22,8 +22,8 @@ int64_t states_width(const struct states *states);
 /** State k of bodies with the views of states, attitudes as alpha. */
 void states_put(const struct states *states, const vti_bodies *bodies, int64_t k, double *state);
 
-/** Force and moment of the same bodies, of those that there are: load[bodies][states_loads][PANELS_BLOCK]; zeros if they
- *  owe nothing. */
+/** Force and moment of the same bodies, of those that there are: load[bodies][states_loads][PANELS_BLOCK]; zeros if
+ *  they owe nothing. */
 int64_t states_loads(const struct states *states);
 void states_put_loads(const struct states *states, const vti_bodies *bodies, int owe, int64_t k, double *load);
 /** Body i of spheres in all states, seen side by side as PANELS_BLOCK bodies. */

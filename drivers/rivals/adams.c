@@ -18,7 +18,8 @@
  * from these: prediction is the Taylor series of both, and the corrector's coefficients 3/20, 251/360 and 251/720
  * are, times the step's powers, (4/5) d_4, g_4 and g_4:
  *
- *     x_p = x_n + h v_n + h^2 sum_{j<K} d_j N^j a_n,   x = x_p + (4/5) h^2 d_K N^K a,   d_j = int_0^1 (1-s) C(s+j-1, j) ds
+ *     x_p = x_n + h v_n + h^2 sum_{j<K} d_j N^j a_n,   x = x_p + (4/5) h^2 d_K N^K a,
+ *     d_j = int_0^1 (1-s) C(s+j-1, j) ds
  *
  * and f_{n+1} = f(y_p) stays as it is. The codes begin with derivatives of zero, which costs them their order; here
  * they begin as the others. */

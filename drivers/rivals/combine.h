@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Sums of slopes, with which Runge-Kutta, Adams and extrapolation methods spend what time they take beside the forces. */
+ * Sums of slopes, with which Runge-Kutta, Adams and extrapolation methods spend what time they take beside the
+ * forces. */
 #ifndef VTI_COMBINE_H
 #define VTI_COMBINE_H
 

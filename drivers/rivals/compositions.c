@@ -16,9 +16,9 @@
  *
  * Alone it is of order 2. Its error is that of order 4 in other variables, to which a processor leads before the first
  * step and from which it leads back where somebody looks: J. Wisdom, M. Holman, J. Touma, Symplectic correctors, Fields
- * Inst. Commun. 10, 217 (1996). With A = drift, B = kick, the step is e^{-P} e^{h(A+B) + O(h^5)} e^P, P = (h^2/24)[A,B],
- * and e^{4ab [A,B]} = A(a) B(b) A(-2a) B(-2b) A(2a) B(b) A(-a) + O(h^4). The way back is taken by a copy that is left
- * behind, so that neither the path nor the number of evaluations depends on how often somebody looks. */
+ * Inst. Commun. 10, 217 (1996). With A = drift, B = kick, the step is e^{-P} e^{h(A+B) + O(h^5)} e^P, P =
+ * (h^2/24)[A,B], and e^{4ab [A,B]} = A(a) B(b) A(-2a) B(-2b) A(2a) B(b) A(-a) + O(h^4). The way back is taken by a copy
+ * that is left behind, so that neither the path nor the number of evaluations depends on how often somebody looks. */
 #include <string.h>
 
 #include "quaternion.h"

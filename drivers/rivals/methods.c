@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * What there is to step by: the core's steppers, its multistep methods, rivals, and steps of variable length. */
+#include <assert.h>
 #include <string.h>
 
 #include "rival.h"
@@ -11,22 +12,28 @@ enum { METHODS_MAX = 96 };
 static const vti_stepper *methods[METHODS_MAX];
 static int64_t methods_count, methods_all; /* those that are listed, and with those that are only found by name */
 
+static void add(const vti_stepper *method)
+{
+    assert(methods_all < METHODS_MAX);
+    methods[methods_all++] = method;
+}
+
 static void collect(void)
 {
-    for (int64_t i = 0; i < vti_stepper_count() && methods_count < METHODS_MAX; ++i)
+    for (int64_t i = 0; i < vti_stepper_count(); ++i)
         if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE)
-            methods[methods_count++] = vti_stepper_at(i);
-    for (int64_t i = 0; multistep_at(i) != NULL && methods_count < METHODS_MAX; ++i)
-        methods[methods_count++] = &multistep_at(i)->stepper;
-    for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
-        methods[methods_count++] = &rival_at(i)->stepper;
-    methods_all = methods_count;
-    for (int64_t i = 0; rival_general(i) != NULL && methods_all < METHODS_MAX; ++i)
-        methods[methods_all++] = &rival_general(i)->stepper;
-    for (int64_t i = 0; controlled_at(i) != NULL && methods_all < METHODS_MAX; ++i)
-        methods[methods_all++] = &controlled_at(i)->stepper;
-    for (int64_t i = 0; rival_unlisted(i) != NULL && methods_all < METHODS_MAX; ++i)
-        methods[methods_all++] = &rival_unlisted(i)->stepper;
+            add(vti_stepper_at(i));
+    for (int64_t i = 0; multistep_at(i) != NULL; ++i)
+        add(&multistep_at(i)->stepper);
+    for (int64_t i = 0; i < rival_count(); ++i)
+        add(&rival_at(i)->stepper);
+    methods_count = methods_all;
+    for (int64_t i = 0; rival_general(i) != NULL; ++i)
+        add(&rival_general(i)->stepper);
+    for (int64_t i = 0; controlled_at(i) != NULL; ++i)
+        add(&controlled_at(i)->stepper);
+    for (int64_t i = 0; rival_unlisted(i) != NULL; ++i)
+        add(&rival_unlisted(i)->stepper);
 }
 
 /** What scenes may name beside the steppers of the core. */

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Multistep methods (EQUATIONS 8.1), as programs run them: one force evaluation a step. What they remember is all that
- * they keep beside the bodies, so that a checkpoint goes on with it. They begin with K - 1 steps by others back in time,
- * which are undone once their accelerations are remembered: what those steps err by is no error of the run, and what
- * touches at the start begins to within a step of theirs, which takes off what it would miss of that. What does not touch
- * at the start does not on the way back: bodies that have just parted would meet there. */
+ * they keep beside the bodies, so that a checkpoint goes on with it. They begin with K - 1 steps by others back in
+ * time, which are undone once their accelerations are remembered: what those steps err by is no error of the run, and
+ * what touches at the start begins to within a step of theirs, which takes off what it would miss of that. What does
+ * not touch at the start does not on the way back: bodies that have just parted would meet there. */
 #include "rival.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,8 +69,8 @@ static int multistep(struct course *c, const vti_multistep *m, vti_past *past, i
 /** Where something may touch, and what the start needs, which is given back after it. */
 struct start {
     struct effect_surfaces surfaces;
-    double *loads;   /* of its steps, */
-    double *scratch; /* and forces that are left out */
+    double *loads;   /* of its steps */
+    double *scratch; /* forces that are left out */
     vti_kept now;
     double before[]; /* positions at the start; later before each step */
 };
@@ -143,11 +144,11 @@ static int forces_back(struct course *c)
     return status;
 }
 
-/** A step back: where steps are large the first four by chin4's list without its gradient, two evaluations each, where they
- *  are small the first six by srkn6; and then one each by AN(5), or AN(7), and so on, which evaluate once. All are of orders
- *  below K, and the first of order 2: but what they err by grows smoothly from 0 with the way back, and of that the sums
- *  of K accelerations see only what their ends leave (an9 keeps its order on the chain down to 1e-12, on a heavy pendulum
- *  down to 1e-9). */
+/** A step back: where steps are large the first four by chin4's list without its gradient, two evaluations each, where
+ *  they are small the first six by srkn6; and then one each by AN(5), or AN(7), and so on, which evaluate once. All are
+ *  of orders below K, and the first of order 2: but what they err by grows smoothly from 0 with the way back, and of
+ *  that the sums of K accelerations see only what their ends leave (an9 keeps its order on the chain down to 1e-12, on
+ *  a heavy pendulum down to 1e-9). */
 static int step_back(struct course *c, const vti_multistep *m, vti_past *past)
 {
     const int large = m->reach > 0.5;
@@ -228,9 +229,10 @@ static int go_multistep(struct course *c, int64_t steps)
 
 const struct rival *multistep_at(int64_t i)
 {
-    const vti_multistep *m = i < MOST ? vti_multistep_at(i) : NULL;
+    const vti_multistep *m = vti_multistep_at(i);
     if (m == NULL)
         return NULL;
+    assert(i < MOST);
     if (engines[i].go == NULL) {
         /* evaluations of a step vary, for the first ones take more */
         const struct rival engine = {

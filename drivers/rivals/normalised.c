@@ -42,7 +42,7 @@ const struct rival rival_quat_euler = {
     .takes_forces = 1,
 };
 
-/* ---- by the midpoint rule ------------------------------------------------------------------------------------------ */
+/* ---- by the midpoint rule ---------------------------------------------------------------------------------------- */
 
 /* Omelyan's leapfrog: the quaternion's derivative acts on the mean of old and new, q+ = q + (h/2) Omega (q + q+)/2,
  * which has the solution

@@ -76,8 +76,8 @@ struct course {
     int64_t memory_doubles;
     double *number; /* [COURSE_NUMBERS], of the tool; they begin the memory, which with x, v, w is all that goes on */
     void *tool;     /* whatever a rival needs that is not numbers, or can be made anew */
-    double longest; /* step, of those that choose theirs, */
-    double gap;     /* and the largest part of it without forces (course_longest) */
+    double longest; /* step, of those that choose theirs */
+    double gap;     /* the largest part of that step without forces (course_longest) */
     int begun;      /* forces are those of the bodies as they stand */
     int ends;       /* 1: the next go ends where observers look only because the run ends there */
     const struct observer *wants; /* who may want steps of variable length to end sooner; NULL: nobody */
@@ -103,8 +103,8 @@ const vti_bodies *course_bodies(struct course *course);
 /** h times the fastest that there is, of the frequencies that vti_stable_step allows for and the spins of the bodies as
  *  they stand; 1 if nothing oscillates or spins. Returns 0, or -1 with one line in *message. */
 int course_fastest(struct course *course, double *most, struct message *message);
-/** The longest step by which no head-on touch is missed in course->longest, of a method of which gap is the largest part of
- *  a step between two evaluations of forces. Returns likewise. */
+/** The longest step by which no head-on touch is missed in course->longest, of a method of which gap is the largest
+ *  part of a step between two evaluations of forces. Returns likewise. */
 int course_longest(struct course *course, double gap, struct message *message);
 
 /** Forces and moments of the bodies as they stand. */

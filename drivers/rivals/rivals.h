@@ -6,9 +6,9 @@
 #include "rival.h"
 
 /** Among the statuses of the core and of models: an implicit equation was not solved; bodies come to turn so much more
- *  slowly that no next step can be chosen; t is so large that the next step would not change it; a step is so much shorter
- *  than h that nobody would see the end of one of h; the shortest step, at the time fault.value, does not keep the
- *  tolerance. */
+ *  slowly that no next step can be chosen; t is so large that the next step would not change it; a step is so much
+ *  shorter than h that nobody would see the end of one of h; the shortest step, at the time fault.value, does not keep
+ *  the tolerance. */
 enum {
     RIVAL_E_DIVERGES = -2000,
     RIVAL_E_SPARSE = -2001,

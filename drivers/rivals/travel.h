@@ -32,8 +32,8 @@ const struct rival *method_rival(const vti_stepper *stepper);
 const vti_stepper *method_controlled(const vti_stepper *stepper);
 /** What the scene runs the stepper as: itself, or with steps by its tolerance or its control; NULL if it cannot be. */
 const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper);
-/** What runs it, where it is not a list of kicks and drifts: the engine of a rival, of a multistep method or of steps of
- *  variable length, which all are a struct rival; else NULL. */
+/** What runs it, where it is not a list of kicks and drifts: the engine of a rival, of a multistep method or of steps
+ *  of variable length, which all are a struct rival; else NULL. */
 const struct rival *method_engine(const vti_stepper *stepper);
 /** Whether its steps follow how fast bodies turn. */
 int method_is_varied(const vti_stepper *stepper);
@@ -70,10 +70,10 @@ struct travel {
  *  *message. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message);
 
-/** Prepares a run of *model by *stepper from t = 0, by steps of h; where the scene has a tolerance or a control, by steps
- *  that these choose, and h is then the time between two states that observers can see. The model must outlive the run,
- *  and nobody else may change it; where its bodies are at any time travel_bodies tells, and they need not. Returns 0, or
- *  -1 with one line in *message. */
+/** Prepares a run of *model by *stepper from t = 0, by steps of h; where the scene has a tolerance or a control, by
+ *  steps that these choose, and h is then the time between two states that observers can see. The model must outlive
+ *  the run, and nobody else may change it; where its bodies are at any time travel_bodies tells, and they need not.
+ *  Returns 0, or -1 with one line in *message. */
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message);
 

@@ -22,7 +22,9 @@
 /* Bodies; for fewer, waking threads up is taken to cost more than they save. */
 enum { MANY = 1000 };
 
-int64_t run_threads(int64_t bodies)
+/** How many threads a run of so many bodies gets if nobody says: all cores where they pay, one among the ranks of an
+ *  MPI launcher, which has given the cores away already. */
+static int64_t choose_threads(int64_t bodies)
 {
     static const char *const launched[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"};
     for (size_t k = 0; k < sizeof launched / sizeof launched[0]; ++k)
@@ -34,7 +36,7 @@ int64_t run_threads(int64_t bodies)
 static int start_threads(struct run *run, struct message *message)
 {
     const int64_t asked = run->request->threads;
-    run->threads = asked > 0 ? asked : run_threads(run->model.bodies.count);
+    run->threads = asked > 0 ? asked : choose_threads(run->model.bodies.count);
     threads_use(run->threads);
     return slices_create(&run->model, message);
 }
@@ -204,8 +206,8 @@ static int take_checkpoint(struct run *run, struct message *message)
     return taken ? 1 : keep_damaged(&run->journal.keep, "is damaged: its checkpoint is of other bodies", message);
 }
 
-/** How many rows a run has if nobody says: where steps have to be ended for them, as many as frames. A row costs as much
- *  as three to six steps, and one thread does it: of many bodies a step in ten is enough. */
+/** How many rows a run has if nobody says: where steps have to be ended for them, as many as frames. A row costs as
+ *  much as three to six steps, and one thread does it: of many bodies a step in ten is enough. */
 static int64_t about_rows(const struct run *run)
 {
     enum { FEW = 100, USUAL = 1000, STEPS = 10 };
@@ -224,8 +226,8 @@ static int has_files(const struct run *run)
     return (run->request->fields & ~run->checkpoint.fields) == 0 && run_files_are_there(&run->files, frames);
 }
 
-/** A complete run goes on from its file at path. What it is has to be in the journal at once: if it is killed before the
- *  first checkpoint, another run would else be taken for it, and replace its files. */
+/** A complete run goes on from its file at path. What it is has to be in the journal at once: if it is killed before
+ *  the first checkpoint, another run would else be taken for it, and replace its files. */
 static int go_on(struct run *run, const char *path, struct message *message)
 {
     int64_t count;

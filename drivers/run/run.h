@@ -20,7 +20,7 @@ struct run_request {
     const char *output;                 /* path of the HDF5 file; NULL: the scene's name and .h5 */
     int64_t record_every, frames_every; /* steps; 0: about_rows of run.c, and about 100 frames */
     double checkpoint_seconds;
-    int64_t threads; /* 0: run_threads chooses */
+    int64_t threads; /* 0: all cores where they pay */
     int resume;      /* go on from the checkpoint, if there is one */
     int dump;        /* write the LAMMPS dump */
     int xdmf;        /* write the XDMF index of however many frames */
@@ -36,8 +36,8 @@ enum run_end {
     RUN_STOPPED, /* by a signal; it can be resumed */
     RUN_ENDED,   /* by a signal, before the first step: it leaves nothing */
     RUN_BROKEN,  /* a step was refused or a number is not finite; what was recorded before is in the files */
-    RUN_FAILED   /* it did not start, or files cannot be written; what was recorded up to a checkpoint is in the journal
-                  */
+    /** It did not start, or files cannot be written; what was recorded up to a checkpoint is in the journal. */
+    RUN_FAILED
 };
 
 struct run {
@@ -46,9 +46,9 @@ struct run {
     struct tables tables;
     struct model model;
     struct model *shown; /* in the scene's numbers, at t = 0: model, or that of the tables as they are */
-    struct scene sorted; /* where bodies are renumbered: the scene of model, */
+    struct scene sorted; /* where bodies are renumbered: the scene of model */
     struct renumbering renumbering;
-    struct model unsorted;                /* and what is shown */
+    struct model unsorted;                /* where bodies are renumbered: what is shown */
     struct input inputs[INPUTS_OF_SCENE]; /* the scene and its tables */
     struct run_files files;
     char output[FOLDER_PATH]; /* path of the HDF5 file */
@@ -80,10 +80,6 @@ int run_open(const struct run_request *request, struct run *run, struct message 
 
 /** The bodies, with the views of run->model, as people number them, until the next call. */
 const vti_bodies *run_shown(struct run *run, const vti_bodies *bodies);
-
-/** How many threads a run of so many bodies gets if nobody says: all cores where they pay, one among the ranks of an
- *  MPI launcher, which has given the cores away already. */
-int64_t run_threads(int64_t bodies);
 
 /** Who watches a run. */
 struct run_watch {

@@ -177,8 +177,8 @@ static struct decimal all_digits(double value)
     return d;
 }
 
-/** Leaves so many digits, rounded. Returns -1 where those that go are a half, of which the digits alone do not show to which
- *  side value is. */
+/** Leaves so many digits, rounded. Returns -1 where those that go are a half, of which the digits alone do not show to
+ *  which side value is. */
 static int leave(struct decimal *d, int digits)
 {
     if (d->digit[digits] == '5' && strspn(d->digit + digits + 1, "0") == (size_t)(DIGITS - digits - 1))

@@ -31,8 +31,8 @@ static inline double number_larger(double most, double x)
     return isnan(most) || x <= most ? most : x;
 }
 
-/** Whether a step may divide by it, as the core asks of masses and inertias: it is positive, and so is its inverse, which of
- *  numbers below 1e-308 is none. */
+/** Whether a step may divide by it, as the core asks of masses and inertias: it is positive, and so is its inverse,
+ *  which of numbers below 1e-308 is none. */
 static inline int number_divides(double a)
 {
     return a > 0.0 && isfinite(a) && isfinite(1.0 / a);

@@ -14,8 +14,8 @@ char *quote(char *out, size_t size, const char *text);
 /** The same, but the end is kept and the beginning cut off, as suits the names of files. */
 char *quote_tail(char *out, size_t size, const char *text);
 
-/** How many bytes the UTF-8 character takes that the text, of so many bytes, begins with (RFC 3629: no surrogates, nothing
- *  overlong); 0 if it begins with none. */
+/** How many bytes the UTF-8 character takes that the text, of so many bytes, begins with (RFC 3629: no surrogates,
+ *  nothing overlong); 0 if it begins with none. */
 size_t quote_character(const char *text, size_t left);
 
 /** Appends text to what stands in out (size bytes, the terminating 0 included); what does not fit is dropped. Returns

@@ -157,8 +157,8 @@ const char *scene_positions_key(const struct scene *scene);
 struct scene_known {
     int mass, diameter, inertia;
 };
-/** That what the scene says and its table has, and what follows: a ring's neighbours touch, and a solid sphere's inertia
- *  is that of its mass and diameter. */
+/** That what the scene says and its table has, and what follows: a ring's neighbours touch, and a solid sphere's
+ *  inertia is that of its mass and diameter. */
 struct scene_known scene_knows(const struct scene *scene, struct scene_known table);
 /** The word of its control; NULL if it has none. */
 const char *scene_control_word(const struct scene *scene);

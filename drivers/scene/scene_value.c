@@ -248,8 +248,7 @@ int scene_value_read(const struct scene_reader *reader, const struct scene_field
         return 0;
     switch (field->kind) {
     case SCENE_SECTION:
-        *(int *)target = 1;
-        return 0;
+        break;
     case SCENE_NUMBER:
         return read_one(reader, field, value, target);
     case SCENE_VECTOR:

@@ -29,13 +29,12 @@ struct run {
     int observers_count;
     int64_t effects; /* how many there are, if some of them flow, carry or break, else 0 */
     int breaks;      /* 1 if some of them break */
-    int joins;       /* 1 if steps at which nobody looks at velocities end with the begin of the next, */
-    int is_open;     /* and the last one waits for it */
+    int joins;       /* 1 if steps at which nobody looks at velocities end with the begin of the next */
+    int is_open;     /* 1 while the last step waits for the begin of the next */
     int64_t called;  /* bit k: observer k is, at this step */
     int64_t always;  /* bit k: observer k is called at every step */
     int64_t due;     /* the next step at which another one is */
-    /* on whose v and omega a lagging method is brought to the time of the positions, so that looking at a run does not
-     * change its bits */
+    /** Its v and omega are those of a lagging method at the time of the positions: looking at a run changes no bits. */
     struct fork reader;
     struct fork probe; /* at whose x and alpha a stepper with a probe takes forces besides */
 };

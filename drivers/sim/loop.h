@@ -11,10 +11,10 @@ struct observer {
     void *self;
     int64_t every; /* called at steps 0, every, 2 every, ..., and at the last */
     int raw;       /* 0: position and velocity are of the same time. 1: the bodies as the stepper keeps them */
-    /** Whether it looks at velocities at a step at which it is called; NULL: always. Asked once for each, before see, of
-     *  lists of kicks and drifts. Where nobody does, the step may end with the begin of the next, in one pass over the
-     *  bodies with the same bits, and the velocities are of neither: a kick over the model's owed by the loads brings
-     *  copies of them there, with the same bits. */
+    /** Whether it looks at velocities at a step at which it is called; NULL: always. Asked once for each, before see,
+     *  of lists of kicks and drifts. Where nobody does, the step may end with the begin of the next, in one pass over
+     *  the bodies with the same bits, and the velocities are of neither: a kick over the model's owed by the loads
+     *  brings copies of them there, with the same bits. */
     int (*looks)(void *self, int64_t step);
     /** Whether it is to be called soon, between its steps too; NULL: never. Asked after each step of variable length,
      *  many of which may lie between two calls. */

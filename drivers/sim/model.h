@@ -30,8 +30,8 @@ struct model {
     vti_scalars modulus;  /* E/(1 - nu^2) of each; p = NULL if the table gives none */
     vti_effect effects[MODEL_EFFECTS]; /* what each does to the bodies */
     int64_t effects_count;
-    vti_effect acting[MODEL_EFFECTS];       /* effect k as it acts: on the spheres of clumps where on_spheres[k] says */
-    int on_spheres[MODEL_EFFECTS];          /* so, else effects[k] */
+    vti_effect acting[MODEL_EFFECTS];       /* effect k as it acts: effects[k], or the same on the spheres of clumps */
+    int on_spheres[MODEL_EFFECTS];          /* whether effect k acts on these */
     vti_clumped clumped[MODEL_EFFECTS];     /* makes effects[k] of acting[k] there */
     struct effect instances[MODEL_EFFECTS]; /* settings and memory of effects[k], which only its own file knows */
     int64_t instances_count;                /* effects_count; 0 where effects are not those of a scene */
@@ -87,8 +87,8 @@ double model_energy0(struct model *model);
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);
 
-/** Whether bodies turn otherwise than freely, so that attitudes tell what steps err by: elastic touches of spheres without
- *  friction leave Omega as it is, and attitudes exact, whatever they do to positions. */
+/** Whether bodies turn otherwise than freely, so that attitudes tell what steps err by: elastic touches of spheres
+ *  without friction leave Omega as it is, and attitudes exact, whatever they do to positions. */
 int model_twists(const struct model *model);
 
 /** Whether nothing pushes or turns the bodies, and a medium slows their ways: velocities are exact then, whatever the
@@ -102,8 +102,8 @@ int model_breaks(const struct model *model);
  *  remedy is the end. */
 int model_of_spheres(const struct model *model, const char *what, const char *remedy, struct message *message);
 
-/** What breaks at the end of the step, at t, and what bonds are made then; where something is, forces are evaluated anew.
- *  Returns VTI_OK or a status that model_text explains. */
+/** What breaks at the end of the step, at t, and what bonds are made then; where something is, forces are evaluated
+ *  anew. Returns VTI_OK or a status that model_text explains. */
 int model_rupture(struct model *model, int64_t step, double t);
 
 /** What the effects keep beside the bodies, booked energies and what they remember, for a run that goes on with the
@@ -135,9 +135,9 @@ double model_inverse_mass_at(const struct model_inverse_mass *inverse, double ar
 /** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a
  *  pile or a fragment that bonds hold together, is not in it, nor what a medium or spin brings. e is twice the largest
  *  kinetic energy of a body (two of them may meet), without that of the motion of the whole if there are no walls, and
- *  the work of the field on a body's way to the first wall below it, for the body of which the sum is largest, and twice
- *  what one spring holds (effect_kind.held); or what the weight sets free as a body sinks into a wall by that much, if
- *  that is more. What e does is what the effects say (effect_kind.deform). */
+ *  the work of the field on a body's way to the first wall below it, for the body of which the sum is largest, and
+ *  twice what one spring holds (effect_kind.held); or what the weight sets free as a body sinks into a wall by that
+ *  much, if that is more. What e does is what the effects say (effect_kind.deform). */
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies);
 /** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they
  *  have, of the last model_find_pairs, if at is NULL, or while nothing is deformed by more than *at. Bodies as in
@@ -156,7 +156,7 @@ struct model_limits {
     char rest_by[96], within_by[96];
 };
 int model_find_limits(const struct model *model, struct model_limits *limits, struct message *message);
-/** The lesser of the two; that at rest where energies allow a deformation within which no step is sure (within.h = 0). */
+/** The lesser of the two; that at rest where energies allow a deformation within which no step is sure: within.h = 0 */
 static inline double model_limits_least(const struct model_limits *limits)
 {
     return limits->within.h > 0.0 ? fmin(limits->rest.h, limits->within.h) : limits->rest.h;
@@ -189,13 +189,13 @@ void model_angular_momentum(const vti_bodies *bodies, double values[3]);
  *  those angular ones that some effect breaks, the component of the spin, sum J Omega, if every effect keeps that.
  *  Returns how many (at most MODEL_INVARIANTS). */
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS]);
-/** The momenta among them, which come first: bits 0 to 2 the linear one, 3 to 5 the angular one about the origin, 6 to 8
- *  the spin. */
+/** The momenta among them, which come first: bits 0 to 2 the linear one, 3 to 5 the angular one about the origin, 6 to
+ *  8 the spin. */
 int64_t model_momenta(const struct model *model);
 /** Their values for the bodies, in the same order. */
 void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);
-/** Those that count as momenta of the ones that effects conserve themselves, in the same order, of many states of body 0
- *  (effect_invariants.of_states): value[][stride]. Returns how many rows they are. */
+/** Those that count as momenta of the ones that effects conserve themselves, in the same order, of many states of body
+ *  0 (effect_invariants.of_states): value[][stride]. Returns how many rows they are. */
 int64_t model_own_momenta(const struct model *model, const vti_bodies *states, double *value, int64_t stride);
 
 #endif

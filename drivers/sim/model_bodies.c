@@ -81,8 +81,8 @@ static double *place(double **block, int64_t n, const struct table *bodies, int 
     return p;
 }
 
-/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, as people number them, the next three for omega,
- *  and those from 2^40 + 6 i on for alpha. p is [n][3]. */
+/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, as people number them, the next three for
+ *  omega, and those from 2^40 + 6 i on for alpha. p is [n][3]. */
 static void add_random(const struct model *model, double *p, int64_t first, double most)
 {
     const uint64_t seed = (uint64_t)model->scene->random.seed;

@@ -79,7 +79,7 @@ int model_memory_put(struct model *model, const double *memory, int64_t size)
     return size == 0 ? 0 : -1;
 }
 
-/* ---- what each body has lost --------------------------------------------------------------------------------------- */
+/* ---- what each body has lost ------------------------------------------------------------------------------------- */
 
 int64_t model_body_books(const struct model *model, const char *name[EFFECT_TERMS_OF_ALL])
 {

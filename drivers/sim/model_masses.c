@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Masses and inertias that a step can divide by. The core would refuse others too, and could name neither key nor row. */
+ * Masses and inertias that a step can divide by. The core would refuse others too, and could name neither key nor
+ * row. */
 #include <stdio.h>
 
 #include "model_parts.h"

@@ -18,8 +18,8 @@ int model_loads(const struct scene *scene, const struct tables *tables);
 /** Allocates and fills the views, the masses, inertias and diameters. */
 int model_place_bodies(struct model *model, const struct tables *tables, struct message *message);
 
-/** Whether steps can divide by the masses of bodies that translate and by the inertias of those that turn; mass is known
- *  of each, or p = NULL, and then it is that of the model. */
+/** Whether steps can divide by the masses of bodies that translate and by the inertias of those that turn; mass is
+ *  known of each, or p = NULL, and then it is that of the model. */
 int model_check_masses(const struct model *model, const struct tables *tables, const vti_scalars *mass,
                        struct message *message);
 

@@ -52,7 +52,8 @@ static void fields_of(const struct model *model, double g[3])
     }
 }
 
-/** How far a sphere at x goes along the unit vector d until its surface meets the plane; infinite if it goes away from it. */
+/** How far a sphere at x goes along the unit vector d until its surface meets the plane; infinite if it goes away from
+ *  it. */
 static double way_to_plane(const double plane[4], const double x[3], const double d[3], double radius)
 {
     const double towards = -vti_dot(plane, d);

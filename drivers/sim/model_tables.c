@@ -166,6 +166,7 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
         check_moments(s, bodies, message) != 0 || check_templates(s, bodies, message) != 0 ||
         check_effects(model, tables, message) != 0)
         return -1;
-    /* the others have all that bodies of theirs need (scene_check.c): a single one has no bonds, whose table could turn it */
+    /* the others have all that bodies of theirs need (scene_check.c): a single one has no bonds, whose table could turn
+     * it */
     return s->arrangement == SCENE_IN_TABLE ? check_needs(model, tables, message) : 0;
 }

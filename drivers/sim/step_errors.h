@@ -11,8 +11,8 @@
 
 /** Of velocity and of angular velocity; all doubles, as they are kept in a checkpoint. */
 struct step_errors_found {
-    double row[2];             /* largest since the row before, */
-    double cut[2];             /* and of steps cut to end here, which are undone thereafter */
+    double row[2];             /* largest since the row before */
+    double cut[2];             /* largest of steps cut to end here, which are undone thereafter */
     double most[2], most_t[2]; /* largest of all, and when that step ended */
     double before[2][2];       /* of the two steps before; NaN where there are none to compare with */
     double jumps, jump_t;      /* steps whose estimate grew tenfold (8.1), and when the first of them ended */

@@ -78,8 +78,8 @@ static int set_up(struct adapter *g, int64_t n, const double *x, const double *v
         m->bodies.inertia = vti_scalars_array(inertia);
     m->effects[0].name = "vti-check";
     m->effects[0].apply = ask;
-    m->effects[0].springs =
-        vti_springs_none; /* the kit's are not told: whoever wants a bound goes by h and the spins */
+    /* the kit does not tell its springs: whoever wants a bound goes by h and the spins */
+    m->effects[0].springs = vti_springs_none;
     m->effects[0].self = g;
     m->effects_count = 1;
     return 0;

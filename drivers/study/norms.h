@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The norms of a run and of its error (EQUATIONS 4), and how far energy and momenta go, taken along with its steps: many
- * steps at once where the reference is known at all of them. */
+ * The norms of a run and of its error (EQUATIONS 4), and how far energy and momenta go, taken along with its steps:
+ * many steps at once where the reference is known at all of them. */
 #ifndef VTI_NORMS_H
 #define VTI_NORMS_H
 
@@ -33,9 +33,9 @@ struct norms {
     vti_bodies *bodies;  /* of spheres: each body in all that wait, and its loads (states_of_body) */
     const double *exact; /* the reference's at the same steps */
     int64_t held, room;  /* how many wait, and for how many there are the reference's */
-    double terms[EFFECT_TERMS_OF_ALL][PANELS_BLOCK]; /* the effects' energies in them, */
-    int puts;                                        /* 1: some of them have to be taken state by state */
-    int64_t terms_count;                             /* if those of bodies are taken of many steps at once, else -1, */
+    double terms[EFFECT_TERMS_OF_ALL][PANELS_BLOCK]; /* the effects' energies in them */
+    int puts;                                        /* 1: some of these have to be taken state by state */
+    int64_t terms_count; /* how many, where energies of bodies are taken of many steps at once, else -1 */
 };
 
 /** The energy that only steps change: with what effects have booked. */

@@ -34,8 +34,8 @@ int trial_go(struct trial_run *run, int64_t until, const struct observer *observ
              struct message *message);
 void trial_end(struct trial_run *run);
 
-/** Steps between two looks at what has its largest error within touches, one step of a thousand: one, but of methods that
- *  choose their steps, which a look cuts, a 64th of the run. */
+/** Steps between two looks at what has its largest error within touches, one step of a thousand: one, but of methods
+ *  that choose their steps, which a look cuts, a 64th of the run. */
 int64_t trial_look_every(const struct trial *trial);
 
 /** Processor time of this thread in seconds: what the clock would say on a core of one's own, whatever else runs

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The scenes of a survey at its points. Files may be edited while it runs: texts of scenes are read once, tables anew at
- * each point, as they may be many and large, and known by digests. */
+ * The scenes of a survey at its points. Files may be edited while it runs: texts of scenes are read once, tables anew
+ * at each point, as they may be many and large, and known by digests. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -16,8 +16,8 @@ int slices_create(struct model *model, struct message *message);
 /** The model goes on in one piece; harmless if it did. */
 void slices_destroy(struct model *model);
 
-/** vti_step_stage, vti_step_finish, and vti_step_next of what cannot be refused, of all bodies by slices, or in one piece
- *  where a step may be refused. */
+/** vti_step_stage, vti_step_finish, and vti_step_next of what cannot be refused, of all bodies by slices, or in one
+ *  piece where a step may be refused. */
 int slices_stage(const struct model *model, const vti_stepper *stepper, int64_t k, double h, vti_fault *fault);
 int slices_finish(const struct model *model, const vti_stepper *stepper, double h);
 int slices_next(const struct model *model, const vti_stepper *stepper, double h);

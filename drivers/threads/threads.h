@@ -12,7 +12,8 @@ enum { THREADS_MOST = 1024 };
 /** As many as this process may use, at least 1. */
 int64_t threads_most(void);
 
-/** From now on work is done by so many threads at once, at most THREADS_MOST; 1 at the start of the program. */
+/** From now on work calls for so many threads, at most THREADS_MOST; 1, as at the start of the program: for that of
+ *  the caller. Those that have been started stay: unless the number is 1 they take parts, however small it is now. */
 void threads_use(int64_t count);
 int64_t threads_used(void);
 

@@ -32,8 +32,8 @@ static int has(const vti_bodies *bodies, const struct quantity *quantity)
 
 /* ---- all columns ------------------------------------------------------------------------------------------------ */
 
-/* Everything there is to record, in one array: these, three of each quantity, two errors of steps, then the terms of all
- * effects in the model's order, then their booked energies, then the number of lines that hold and of fragments. */
+/* Everything there is to record, in one array: these, three of each quantity, two errors of steps, then the terms of
+ * all effects in the model's order, then their booked energies, then the number of lines that hold and of fragments. */
 enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, ERRORS = QUANTITY + 3 * QUANTITIES, TERMS = ERRORS + 2 };
 enum { BREAKS = 2, SOURCES = TERMS + EFFECT_TERMS_OF_ALL + BREAKS };
 

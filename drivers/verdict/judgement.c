@@ -39,9 +39,9 @@ const char *verdict_word(int64_t grade)
 static double much_travel(const struct verdict *v)
 {
     const struct scene *scene = v->model->scene;
-    return scene->tolerance > 0.0                         ? INFINITY /* which takes steps anew that have met one late */
-           : scene_first_with(scene, EFFECT_NEAR) != NULL ? near_travel
-                                                          : some_travel;
+    if (scene->tolerance > 0.0) /* steps that have met one late are taken anew */
+        return INFINITY;
+    return scene_first_with(scene, EFFECT_NEAR) != NULL ? near_travel : some_travel;
 }
 
 /** A pair may be through within a step, and a wall be met at any depth; a tolerance finds both. */

@@ -79,12 +79,12 @@ static double or_nan(double energy)
 struct energies modified_energies(struct modified *m, const vti_bodies *bodies, double total)
 {
     struct energies e = {NAN, NAN};
-    /* the difference along the drift errs by t omega/2 of itself, next to which the (h omega)^2 that the series leaves
-     * out is large */
     const vti_stepper *s = m->stepper;
     vti_bodies *p = &m->probe.bodies;
     if (m->probe.memory == NULL) /* rivals, of which some have no list of kicks */
         return e;
+    /* the difference along a drift of t errs by t omega/2 of itself: little beside (h omega)^2, which the series leaves
+     * out */
     const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
     fork_take(&m->probe, *bodies);
     /* velocities to the middle of the step's two kicks, where VTI-3 is VTI-2 */

@@ -112,7 +112,8 @@ static double find_stable_step(struct verdict *v, double t, const vti_bodies *bo
     return h;
 }
 
-/** Of steps that vary the longest since the last look may have been taken where the stable step was that of either end. */
+/** Of steps that vary the longest since the last look may have been taken where the stable step was that of either
+ *  end. */
 void stability_row(struct verdict *v, double t, const vti_bodies *bodies, const double *row)
 {
     struct findings *f = &v->found;

@@ -11,8 +11,8 @@ static const double rounding = 1e-12; /* of all energies: sqrt(1e7) steps of eps
 
 /* ---- what the scene is ------------------------------------------------------------------------------------------- */
 
-/** Whether its energy is that of a field from outside, as gravity's, of which only differences mean anything. Walls take
- *  up momentum too, but theirs is elastic. */
+/** Whether its energy is that of a field from outside, as gravity's, of which only differences mean anything. Walls
+ *  take up momentum too, but theirs is elastic. */
 static int is_of_field(const vti_effect *effect)
 {
     return effect->smooth && (effect->breaks & VTI_BREAKS_LINEAR) != 0;
@@ -91,8 +91,8 @@ static void common_velocity(const struct verdict *v, const vti_bodies *bodies, d
         u[k] = v->open[k] || v->mass == 0.0 ? 0.0 : u[k] / v->mass;
 }
 
-/** T + U of what is within the scene, without the common motion; in *size the sum of all |terms|, in *booked that of what
- *  has been booked. */
+/** T + U of what is within the scene, without the common motion; in *size the sum of all |terms|, in *booked that of
+ *  what has been booked. */
 static double inner_energy(const struct verdict *v, const vti_bodies *bodies, const double *row, double *size,
                            double *booked)
 {

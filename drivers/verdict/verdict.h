@@ -126,8 +126,8 @@ void verdict_longest(struct verdict *v, double h);
  *  64, at every fourth up to 128, and so on, as it costs about as much as a step, and at those at which what touches
  *  holds a tenth more energy than before. */
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
-/** At every step, whose forces are those of its positions. Contacts come and go between rows: where the largest force on
- *  a body exceeds by a quarter that of any step before, overlaps and the stable step are looked at. */
+/** At every step, whose forces are those of its positions. Contacts come and go between rows: where the largest force
+ *  on a body exceeds by a quarter that of any step before, overlaps and the stable step are looked at. */
 void verdict_step(struct verdict *v, double t, const vti_bodies *bodies);
 
 /** What gains and losses are shares of: S, or what was booked where that is more. */

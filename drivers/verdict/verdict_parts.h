@@ -19,8 +19,8 @@ double stability_slowing(const struct model *model, const vti_stepper *stepper, 
 /** The same of what moves, be it pushed or not. */
 double stability_slowing_free(const struct model *model, const vti_stepper *stepper, double h);
 /** By what share of themselves the ways and angles of what nothing pushes are wrong, whose velocities are exact, at z =
- *  c t/m of the longest drift: flows go with kicks, so that drifts see the velocities of their starts alone. Of one drift
- *  between half kicks it is 1 - (z/2)/sinh(z/2), of one behind a whole kick 1 - z/(exp z - 1). */
+ *  c t/m of the longest drift: flows go with kicks, so that drifts see the velocities of their starts alone. Of one
+ *  drift between half kicks it is 1 - (z/2)/sinh(z/2), of one behind a whole kick 1 - z/(exp z - 1). */
 double stability_way_error(const vti_stepper *stepper, double z);
 /** The largest overlap with each other or with walls. */
 double stability_deepest(const struct model *model, const vti_bodies *bodies);

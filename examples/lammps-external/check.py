@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""LAMMPS with our binder against vti-run on the same scene.                      check.py CHAIN_FOLDER VTI_RUN LAMMPS_CHAIN"""
+"""LAMMPS with our binder against vti-run on the same scene.               check.py CHAIN_FOLDER VTI_RUN LAMMPS_CHAIN"""
 import pathlib
 import subprocess
 import sys
@@ -49,7 +49,8 @@ def by_lammps(ranks, steps):
 
 
 def forces(said, ranks):
-    # A sphere of the chain has two bonds. LAMMPS adds them to zeros, and so do we: a rounding each is all that may differ.
+    # A sphere of the chain has two bonds. LAMMPS adds them to zeros, and so do we: a rounding each is all that may
+    # differ.
     for what in ("force", "moment"):
         error, size = said[what][0]
         check(size > 1 and error <= 2 * EPS * size, f"{ranks} ranks: {what}s in LAMMPS differ from ours by {error:.1e} of {size:.3g}")

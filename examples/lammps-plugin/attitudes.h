@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-2.0-only
- * The attitudes and principal moments of inertia of atom styles ellipsoid and body, which keep them in a memory of their
- * own. */
+ * The attitudes and principal moments of inertia of atom styles ellipsoid and body, which keep them in a memory of
+ * their own. */
 #ifndef ATTITUDES_H
 #define ATTITUDES_H
 

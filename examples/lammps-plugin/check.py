@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-only
-"""fix nve/vti in LAMMPS: what it conserves, that ranks do not matter, that spheres without an attitude go as those with one, and
-what it costs beside fix nve/bpm/sphere.
+"""fix nve/vti in LAMMPS: what it conserves, that ranks do not matter, that spheres without an attitude go as those with
+one, and what it costs beside fix nve/bpm/sphere.
                                        check.py PLUGIN WORK_FOLDER COMMAND... ("%d" in it is the number of ranks)"""
 
 import numpy
@@ -13,7 +13,8 @@ J = 0.4 * 0.5**2
 
 
 def momenta(s):
-    """Linear momentum, and angular about the origin, which a moment of the bonds that does not balance their forces would break."""
+    """Linear momentum, and angular about the origin, which a moment of the bonds that does not balance their forces
+    would break."""
     x, v, omega = s[:, 0:3], s[:, 3:6], s[:, 10:13]
     return v.sum(axis=0), (numpy.cross(x, v) + J * omega).sum(axis=0)
 
@@ -84,8 +85,8 @@ def grains():
     check(plain.shape == (size**3, 9) and abs(plain[:, 6:9]).max() > 0.1, "spheres that fall and rub begin to spin")
     check(plain.tobytes() == turned.tobytes(), "positions, velocities and spins without an attitude are those with one, to the last bit")
     far = abs(plain - theirs).max()
-    # The same map, kick, drift, kick; only a product or two are taken in another order. That is a rounding of each number and step,
-    # which contacts of stiffness 1e4 enlarge, but in 400 steps do not make chaotic.
+    # The same map, kick, drift, kick; only a product or two are taken in another order. That is a rounding of each
+    # number and step, which contacts of stiffness 1e4 enlarge, but in 400 steps do not make chaotic.
     check(far < 400 * 1e4 * numpy.finfo(float).eps, f"and those of fix nve/sphere, but for roundings: {far:.1e}")
 
 

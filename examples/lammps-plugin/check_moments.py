@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-only
-"""fix nve/vti in LAMMPS with ellipsoids and bodies: against vti-run and fix nve/asphere, nve/body; what it conserves; ranks and groups;
-what it refuses; what it costs.
+"""fix nve/vti in LAMMPS with ellipsoids and bodies: against vti-run and fix nve/asphere, nve/body; what it conserves;
+ranks and groups; what it refuses; what it costs.
                                check_moments.py PLUGIN WORK_FOLDER COMMAND... ("%d" in it is the number of ranks)
 VTI_RUN in the environment is our program."""
 import os
@@ -25,7 +25,8 @@ AXES = numpy.array([0.5, 0.4, 0.7])  # of the ellipsoids that attract each other
 PARTS = numpy.array([[0.3, 0.2, 0.1], [-0.3, 0.2, -0.1], [0.1, -0.4, 0.2], [-0.1, 0.0, -0.2]])  # of such a body
 
 
-# ---- files of atoms, and what is in their dumps -----------------------------------------------------------------------------------
+# ---- files of atoms, and what is in their dumps
+# -----------------------------------------------------------------------------------
 
 
 def product(p, q):
@@ -56,7 +57,8 @@ def shared(parts):
 
 
 def write_atoms(style, x, v, spin, axes=AXES, parts=PARTS, inertia=None, points=()):
-    """All have mass 1 and the axes of space, and inertia, or that of their parts. points are numbers of those without a shape."""
+    """All have mass 1 and the axes of space, and inertia, or that of their parts. points are numbers of those without a
+    shape."""
     n, ellipsoids = len(x), style == "ellipsoid"
     lines = ["atoms", "", f"{n} atoms", "1 atom types", f"{n - len(points)} {'ellipsoids' if ellipsoids else 'bodies'}"]
     lines += ["-20 20 xlo xhi", "-20 20 ylo yhi", "-20 20 zlo zhi", "", "Atoms", ""]
@@ -110,7 +112,8 @@ def momenta(frame):
     return v.sum(axis=0), (numpy.cross(x, v) + spin).sum(axis=0)
 
 
-# ---- what is checked --------------------------------------------------------------------------------------------------------------
+# ---- what is checked
+# --------------------------------------------------------------------------------------------------------------
 
 
 def free():
@@ -130,7 +133,8 @@ def free():
             check(last[10:13].tobytes() == first[10:13].tobytes(), f"{method}, {style}: a free one's L keeps its bits")
             turn = turned(first, last)
             far = abs(turn - numpy.sign(turn @ wanted) * wanted).max()
-            # A rounding a step in the attitude, which each turning over enlarges by the hundredth that it began with, squared.
+            # A rounding a step in the attitude, which each turning over enlarges by the hundredth that it began with,
+            # squared.
             check(far < steps * EPS * 1e4, f"and turns over as by vti-run, but for {far:.1e}")
 
 

@@ -11,9 +11,9 @@
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
 /** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY:
- *  whatever the views say. TURNED: that, and bonds have rotations Q0 that matter to them. CHAIN: as ALPHA, and the bonds
- *  of a block join bodies in a row, i and i + 1, i + 1 and i + 2, and so on, but for the last, which joins its first body
- *  and any other. */
+ *  whatever the views say. TURNED: that, and bonds have rotations Q0 that matter to them. CHAIN: as ALPHA, and the
+ *  bonds of a block join bodies in a row, i and i + 1, i + 1 and i + 2, and so on, but for the last, which joins its
+ *  first body and any other. */
 enum layout { ALPHA, QUAT, ANY, TURNED, LAYOUTS, CHAIN = LAYOUTS };
 
 struct bond_kernel {

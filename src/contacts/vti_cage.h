@@ -47,15 +47,15 @@ static inline int vti_cages_of(const vti_contacts *p, const vti_bodies *b, struc
 }
 
 /** How many spheres of radii from least to most have room around one of that radius, centres no nearer than the share q
- *  of both radii and those that touch it no farther than the share far of both. A ball of radius q least inside each, as
- *  near to it as can be, keeps its centre between
+ *  of both radii and those that touch it no farther than the share far of both. A ball of radius q least inside each,
+ *  as near to it as can be, keeps its centre between
  *
  *      inner = q (radius + least)    and    outer = far radius + (far - q) most + q least,
  *
- *  and 2 q least from the others. Seen from the middle two of them are 2 psi apart and more, where v = 1 - cos(2 psi) is
- *  least with both outside or with one at either end, and z caps of the angle psi cover a sphere at most: z (1 - cos psi) <=
- *  2. And all lie between two spheres, the volume of which tells, too: of those that overlap much some hide behind
- *  others. */
+ *  and 2 q least from the others. Seen from the middle two of them are 2 psi apart and more, where v = 1 - cos(2 psi)
+ *  is least with both outside or with one at either end, and z caps of the angle psi cover a sphere at most: z (1 - cos
+ *  psi) <= 2. And all lie between two spheres, the volume of which tells, too: of those that overlap much some hide
+ *  behind others. */
 static inline double vti_cage_room(const struct vti_cages *c, double radius, double least, double most, double q)
 {
     const double ball = q * least, inner = q * (radius + least), outer = c->far * radius + (c->far - q) * most + ball;
@@ -66,8 +66,9 @@ static inline double vti_cage_room(const struct vti_cages *c, double radius, dou
     return !(ball > 0.0) ? INFINITY : v > 0.0 ? fmin(volume, caps) : volume;
 }
 
-/** k L^2 of a pair of body i with others of radii from least to most at the overlap o is (3/2) K o^{1/2}: the largest K/L^2
- *  that there may be, of one K for all with the smallest, of a material, 4/3 E* (R* L)^{1/2}, with the largest. */
+/** k L^2 of a pair of body i with others of radii from least to most at the overlap o is (3/2) K o^{1/2}: the largest
+ *  K/L^2 that there may be, of one K for all with the smallest, of a material, 4/3 E* (R* L)^{1/2}, with the
+ *  largest. */
 static inline double vti_cage_hardness(const struct vti_cages *c, int64_t i, double least, double most)
 {
     const vti_contacts *p = c->contacts;

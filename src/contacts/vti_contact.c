@@ -65,8 +65,7 @@ static int cages(const vti_contacts *p, const vti_bodies *b, double o, vti_sprin
     return status;
 }
 
-/** Pairs of the list, all of them at the overlap of *at, or those that touch as they do. What pushes takes off across.
- *  */
+/** Pairs of the list: all at the overlap of *at, or those that touch, as they do. A push takes off from across. */
 static int in_list(const vti_contacts *p, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
                    void *context)
 {

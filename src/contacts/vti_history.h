@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What touches hold lies side by side, so that who goes along a list goes through memory in order, and is found by a hash
- * table of 8 bytes a slot: open addressing, the next slot where one is taken; what is taken out leaves no gap, as those
- * behind it move up. Where things stand depends on the order in which they came; results do not. */
+ * What touches hold lies side by side, so that who goes along a list goes through memory in order, and is found by a
+ * hash table of 8 bytes a slot: open addressing, the next slot where one is taken; what is taken out leaves no gap, as
+ * those behind it move up. Where things stand depends on the order in which they came; results do not. */
 #ifndef VTI_HISTORY_H
 #define VTI_HISTORY_H
 
@@ -75,7 +75,8 @@ static inline vti_held *vti_history_find(const vti_history *t, int64_t i, int64_
     return slot != 0 ? vti_history_held(t, slot) : NULL;
 }
 
-/** The same for one who goes along a list, next being where the last one ended: mostly it is one of so many from there on. */
+/** The same for one who goes along a list, next being where the last one ended: mostly it is one of so many from there
+ *  on. */
 static inline vti_held *vti_history_next(const vti_history *t, int64_t i, int64_t j, int64_t most, int64_t *next)
 {
     int64_t k = *next, end = k + most < t->used ? k + most : t->used;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Which pairs of a list are near each other, and which bodies near a wall, many at once. Included by vti_touch_kernels.h
- * only. */
+ * Which pairs of a list are near each other, and which bodies near a wall, many at once. Included by
+ * vti_touch_kernels.h only. */
 #ifndef VTI_NEAR_KERNELS_H
 #define VTI_NEAR_KERNELS_H
 
@@ -74,8 +74,8 @@ VTI_INLINE void gather_row(enum touch_layout layout, const vti_view *view, int64
         gather(layout, view, i, x);
 }
 
-/** Of so many in a row. The way of the drift, and of the wall over it, is twice as long here, and a little more, as places
- *  before it are not known to the last digit. */
+/** Of so many in a row. The way of the drift, and of the wall over it, is twice as long here, and a little more, as
+ *  places before it are not known to the last digit. */
 VTI_INLINE unsigned near_row(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach, double h,
                              int64_t w, int64_t first, int64_t count)
 {

@@ -67,8 +67,8 @@ VTI_INLINE lanes come(const lanes from[3], const lanes to[3])
 }
 
 /** Of so many bodies in a row, packed ones WIDTH, those that begin or end to touch a wall, as bits. Where a wall moves
- *  they were where its velocity says. Most are farther from having just touched than they have come, which takes the gap
- *  at their place alone. */
+ *  they were where its velocity says. Most are farther from having just touched than they have come, which takes the
+ *  gap at their place alone. */
 VTI_INLINE unsigned cross_row(enum touch_layout layout, const vti_walls *p, double h, const vti_view *before,
                               const vti_bodies *b, int64_t first, int64_t count)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Hertzian contact of many pairs, and of many bodies at a wall, at once (EQUATIONS 3, E4). Included by vti_touch_kernels.h
- * only. */
+ * Hertzian contact of many pairs, and of many bodies at a wall, at once (EQUATIONS 3, E4). Included by
+ * vti_touch_kernels.h only. */
 #ifndef VTI_PRESS_KERNELS_H
 #define VTI_PRESS_KERNELS_H
 

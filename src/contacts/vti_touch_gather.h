@@ -260,8 +260,8 @@ VTI_INLINE void books_close(const struct books *books, vti_sum *to, int motions)
     }
 }
 
-/** Adds of each motion the first count lanes, at most WIDTH, in their order. What rounding takes is exact whether or not
- *  one asks which number is the larger, as vti_sum_add does: the bits are those of that. */
+/** Adds of each motion the first count lanes, at most WIDTH, in their order. What rounding takes is exact whether or
+ *  not one asks which number is the larger, as vti_sum_add does: the bits are those of that. */
 VTI_INLINE void book_lanes(struct books *books, const lanes lost[BOOKS], int64_t count)
 {
     double each[BOOKS * WIDTH];

@@ -18,19 +18,19 @@ struct vti_carried {
     int64_t which[VTI_TOUCHES];  /* their numbers in the list, or the bodies */
     vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
-    int turned;                  /* whether increments of attitude are known, of bodies that turn by L; else they are */
-    double turn
-        [6]
-        [VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j of pairs; beyond count, up to a whole number of lanes,
-                                  * the last ones again */
+    /** Whether turn has the increments of attitude, as where bodies turn by L; else the law gives them by Omega. */
+    int turned;
+    /** Those of i, and of j of pairs; beyond count, up to a whole number of lanes, the last ones again. */
+    double turn[6][VTI_TOUCHES];
 };
 
 struct vti_sweep;      /* of dashpots (vti_dashpot_flow.h) */
 struct vti_bond_sweep; /* of bonds' (vti_bond_flow.h) */
 
 struct vti_touch_kernels {
-    /** Of so many pairs of the list from the first on those with directions and no gap wider than reach, in their order,
-     *  into pair[count], unless that is NULL: k where pair k overlaps, -1 - k where there is a gap. Returns how many. */
+    /** Of so many pairs of the list from the first on those with directions and no gap wider than reach, in their
+     *  order, into pair[count], unless that is NULL: k where pair k overlaps, -1 - k where there is a gap. Returns how
+     *  many. */
     int64_t (*near)(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
                     int64_t *pair);
     /** Of so many bodies, from 1 to 64, from the first on those at most reach away from wall w, as bits, and perhaps
@@ -61,8 +61,8 @@ struct vti_touch_kernels {
     void (*press)(const vti_contacts *p, const vti_bodies *b);
     /** And what wall w presses to so many bodies from the first on. */
     void (*press_at)(const vti_walls *p, const vti_bodies *b, int64_t w, int64_t first, int64_t count);
-    /** The first pair from the first on that has begun or ended to touch since bodies were where before says; p->count if
-     *  none has. */
+    /** The first pair from the first on that has begun or ended to touch since bodies were where before says; p->count
+     *  if none has. */
     int64_t (*crossing)(const vti_contacts *p, const vti_view *before, const vti_bodies *b, int64_t first);
     /** The first body of the slice that has so at a wall within the time h; the slice's end if none has. */
     int64_t (*crossing_wall)(const vti_walls *p, double h, const vti_view *before, const vti_bodies *b, int64_t first);

@@ -47,8 +47,8 @@ static int has_good_axis(const vti_walls *p, int64_t w, double *value)
     return *value > 0.0;
 }
 
-/** Whether wall w has an axis of length 1, a positive radius, K and modulus that may be, and all else finite; else *value
- *  is what is wrong, of an axis its length. */
+/** Whether wall w has an axis of length 1, a positive radius, K and modulus that may be, and all else finite; else
+ *  *value is what is wrong, of an axis its length. */
 static int is_good(const vti_walls *p, int64_t w, double *value)
 {
     const vti_wall_motion *const m = vti_face_motion(p, w);

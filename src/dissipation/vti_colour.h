@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The order of pairs whose flows change velocities (EQUATIONS 6.4), as many together as a window holds: each has the
- * smallest colour that neither of its bodies has yet; they are worked colour by colour, in their order inside, backwards
- * exactly reversed. Pairs of a colour share no body, and go into lanes; those of the last may, and go one by one. */
+ * smallest colour that neither of its bodies has yet; they are worked colour by colour, in their order inside,
+ * backwards exactly reversed. Pairs of a colour share no body, and go into lanes; those of the last may, and go one by
+ * one. */
 #ifndef VTI_COLOUR_H
 #define VTI_COLOUR_H
 

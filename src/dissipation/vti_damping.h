@@ -43,9 +43,9 @@ VTI_INLINE lanes vti_damping_share(lanes delta, lanes other)
 struct vti_damping {
     lanes k;
     lanes per_length; /* 1/L */
-    lanes root;       /* o^{1/2} here, */
-    lanes delta;      /* overlap here, */
-    lanes other;      /* and at the other end */
+    lanes root;       /* o^{1/2} here */
+    lanes delta;      /* overlap here */
+    lanes other;      /* overlap at the other end */
     lanes touched;    /* share of the drift */
     double zeta;
 };
@@ -118,8 +118,7 @@ static inline const vti_held *vti_damping_held(const vti_dashpots *p, const stru
     return held != NULL ? held : &none;
 }
 
-/** How much of F_n the load of a motion may be, 0 at a wall without friction; negative where friction does not limit it.
- */
+/** The share of F_n that the load of a motion may be: 0 at a wall without friction, negative where it has no limit. */
 static inline double vti_damping_share_of_force(const vti_dashpots *p, const struct vti_touch *touch, int motion)
 {
     static const vti_friction none;

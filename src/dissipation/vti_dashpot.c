@@ -79,8 +79,8 @@ static void flow_singly(const void *sweep, const int64_t *found, int64_t count, 
     }
 }
 
-/** Finds what springs hold in the order of the list, in which it lies in memory, but that the friction's list may have a few
- *  pairs between them. */
+/** Finds what springs hold in the order of the list, in which it lies in memory, but that the friction's list may have
+ *  a few pairs between them. */
 static void find_held(const struct vti_sweep *s, const int64_t *found, int64_t count, int64_t guess[VTI_GUESSES])
 {
     const vti_history *const history = s->p->friction->history;

@@ -35,8 +35,8 @@ struct place {
     lanes approach; /* u.n, which the flow of no other motion changes */
     lanes spin;     /* w.n, likewise */
     struct vti_damping damping;
-    lanes per[MOTIONS];    /* 1/m_n, 1/m_t, 1/J_r, 1/J_r, */
-    lanes mass[MOTIONS];   /* and their inverse */
+    lanes per[MOTIONS];    /* 1/m_n, 1/m_t, 1/J_r, 1/J_r */
+    lanes mass[MOTIONS];   /* m_n, m_t, J_r, J_r */
     lanes gone[MOTIONS];   /* the share of the velocity that goes, where nothing limits it */
     struct vti_loads held; /* by the springs of friction */
     lanes lost[MOTIONS];   /* of energy */

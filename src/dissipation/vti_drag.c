@@ -98,8 +98,8 @@ static void find_modes(const struct vti_joint *at, struct vti_joint_modes *modes
     modes->count = 3;
 }
 
-/** ln(1 + x) of x >= 0: by ln(1 + x) = 2 ln(1 + y), y = x/(1 + sqrt(1 + x)), until the series of 2 atanh(x/(2 + x)) ends
- *  at (x/(2 + x))^12 < 2^-60. */
+/** ln(1 + x) of x >= 0: by ln(1 + x) = 2 ln(1 + y), y = x/(1 + sqrt(1 + x)), until the series of 2 atanh(x/(2 + x))
+ *  ends at (x/(2 + x))^12 < 2^-60. */
 static double log_above(double x)
 {
     double factor = 2.0, sum = 0.0;

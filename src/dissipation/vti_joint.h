@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * A place where bodies of any inertia act on each other: two bodies with moments, clumps where their spheres touch, one
- * of them and a wall, or one alone. With the arms a from the centres of mass to the place, L being what impulses change,
+ * of them and a wall, or one alone. With the arms a from the centres of mass to the place, L being what impulses
+ * change,
  *
  *     u = v_i + Omega_i x a_i - v_j - Omega_j x a_j,      w = Omega_i - Omega_j,
  *     impulse p:          v += p/m, L += a x p of i,      v -= p/m, L -= a x p of j,
@@ -70,7 +71,8 @@ double vti_joint_lost(const struct vti_joint_modes *modes, const double a[3], co
 /** Two unit vectors across the unit vector n and each other. */
 void vti_joint_across(const double n[3], double span[2][3]);
 
-/** The flows of vti_dashpots on bodies with moments (clumps NULL), or on clumps by their spheres, which are in place. */
+/** The flows of vti_dashpots on bodies with moments (clumps NULL), or on clumps by their spheres, which are in
+ *  place. */
 void vti_dashpots_flow_joints(const void *self, const vti_clumps *clumps, const vti_bodies *bodies, double t,
                               double drift);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Springs of many pairs, and of many bodies at walls, that follow a drift at once. Included by vti_touch_kernels.h only. */
+ * Springs of many pairs, and of many bodies at walls, that follow a drift at once. Included by vti_touch_kernels.h
+ * only. */
 #ifndef VTI_CARRY_KERNELS_H
 #define VTI_CARRY_KERNELS_H
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Friction: forces and energies of the springs, and the lists that they are gone through by; how springs are carried
- * along is in vti_friction_carry.c (EQUATIONS 6.5). The load f is what a spring holds back with: with the arms s_i d and s_j d
+ * along is in vti_friction_carry.c (EQUATIONS 6.5). The load f is what a spring holds back with: with the arms s_i d
+ * and s_j d
  *
  *     F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f       (sliding)
  *     T_i -= f, T_j += f                                           (rolling; twisting with f n)                      */
@@ -11,7 +12,7 @@
 #include "../contacts/vti_touch.h"
 #include "../vti_ready.h"
 
-/* ---- the history --------------------------------------------------------------------------------------------------- */
+/* ---- the history ------------------------------------------------------------------------------------------------- */
 
 static int has_slots(const vti_history *t)
 {

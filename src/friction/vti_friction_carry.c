@@ -33,7 +33,8 @@ static vti_held *held_by(const struct carrying *c, int64_t k)
     return vti_history_find(c->p->history, 1 + body_of(c, k, 0), c->wall < 0 ? 1 + body_of(c, k, 1) : -1 - c->wall);
 }
 
-/** Increments of attitude of bodies that turn by L; beyond count, up to a whole number of lanes, the last ones again. */
+/** Increments of attitude of bodies that turn by L; beyond count, up to a whole number of lanes, the last ones
+ *  again. */
 static void find_turns(struct carrying *c, const vti_bodies *turning)
 {
     struct vti_carried *const all = &c->waiting;
@@ -149,8 +150,8 @@ static int was_near(const struct carrying *c, int64_t k)
     return motion.delta0 >= -c->p->reach;
 }
 
-/** A pair, if it touches or holds something: its springs begin where it does. Returns 1 if what it holds does not stand at
- *  next. */
+/** A pair, if it touches or holds something: its springs begin where it does. Returns 1 if what it holds does not stand
+ *  at next. */
 static int carry_pair(struct carrying *c, int64_t k, int touches, int64_t *next)
 {
     const int64_t there = *next;

@@ -20,8 +20,8 @@ struct vti_carry {
     lanes slid[3];         /* X of sliding, across n_m */
     lanes rolled[3];       /* X of rolling, across n_m */
     lanes twisted;         /* x of twisting */
-    lanes dragged[3];      /* where walls move: by how much the wall's surface has, */
-    lanes turned[3];       /* and turned */
+    lanes dragged[3];      /* where walls move: by how much the wall's surface has moved */
+    lanes turned[3];       /* where walls move: by how much it has turned */
 };
 
 /** What a drift takes, of sliding, rolling and twisting: what is lost, and what a wall that moves has taken. */

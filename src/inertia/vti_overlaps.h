@@ -13,7 +13,8 @@ static inline double distance(const double *centre, int64_t i, int64_t j)
     return vti_norm(d);
 }
 
-/** The spheres that overlap sphere s, if they are no more than there is room for; else count is -1, and all are asked. */
+/** The spheres that overlap sphere s, if they are no more than there is room for; else count is -1, and all are
+ *  asked. */
 enum { ROOM = 128 };
 struct neighbours {
     int64_t s, count, of[ROOM];

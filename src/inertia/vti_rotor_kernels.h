@@ -20,8 +20,8 @@ struct begun {
     int spheres;
 };
 
-/** A drift is a chain of products, and a processor looks only some hundred operations ahead: so many blocks begin theirs
- *  before that of the first goes on, and then some go on side by side. */
+/** A drift is a chain of products, and a processor looks only some hundred operations ahead: so many blocks begin
+ *  theirs before that of the first goes on, and then some go on side by side. */
 enum { BEGUN = 8 };
 
 VTI_INLINE void load_packed(struct stream s, int64_t i, lanes r[3])

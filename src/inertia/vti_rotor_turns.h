@@ -106,7 +106,8 @@ VTI_INLINE void rotor_turn_p(struct rotor_list *list, int twice, enum rotor_plac
 }
 
 /** b <- b (c, s e_i); the first three turns, about x, y and x, together:
- *      (c1, s1 e_x) (c2, s2 e_y) (c, s e_x) = (c2 (c1 c - s1 s), c2 (c1 s + s1 c), s2 (c1 c + s1 s), s2 (s1 c - c1 s)). */
+ *      (c1, s1 e_x) (c2, s2 e_y) (c, s e_x) = (c2 (c1 c - s1 s), c2 (c1 s + s1 c), s2 (c1 c + s1 s), s2 (s1 c - c1
+ *      s)). */
 VTI_INLINE void rotor_turn_b(enum rotor_place place, int i, lanes c, lanes s, lanes b[4])
 {
     const int j = (i + 1) % 3, k = (i + 2) % 3;

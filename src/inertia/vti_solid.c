@@ -2,9 +2,9 @@
  *
  * Mass, centre and principal moments of the solid that spheres make (EQUATIONS 7.5): S = int x x^T dV. Each sphere adds
  * what those before it in the list do not have, and half of that and of what those behind it do not have is the solid,
- * whatever the order. One that overlaps none is added exactly; of others lines parallel to z through their own box, exact
- * along each and by the midpoint rule across: what a line has left of a ball changes without jumps from line to line, so
- * that the rule is good, however far the spheres are spread.
+ * whatever the order. One that overlaps none is added exactly; of others lines parallel to z through their own box,
+ * exact along each and by the midpoint rule across: what a line has left of a ball changes without jumps from line to
+ * line, so that the rule is good, however far the spheres are spread.
  *
  * Of a thin solid, whose smallest moment is far below the largest, sums along fixed axes leave few digits of the
  * smallest: they are made again along the principal axes, across which all lengths are as short as they are. */

@@ -9,7 +9,7 @@
  *     lanes_bits     where it does, bit l for lane l
  *     lanes_told     of each lane: -1 where it does, 0 else
  *     lanes_zero     where whole numbers are 0
- *     lanes_are_row  whether 2 WIDTH whole numbers are pairs in a row, i, i + 1, i + 1, i + 2, i + 2, ...; the last is any
+ *     lanes_are_row  whether 2 WIDTH whole numbers are pairs in a row, i, i + 1, i + 1, i + 2, ...; the last is any
  *     lanes_where    a where a comparison holds, b elsewhere
  *     lanes_flip     -a where b is -0, a where it is 0
  *     lanes_half_to  2^-k of whole 0 <= k <= 1022

@@ -77,7 +77,8 @@ VTI_INLINE lanes lanes_sqrt(lanes a)
 VTI_INLINE lanes lanes_merge(lanes_mask m, lanes a, lanes b)
 {
 #if VTI_WIDTH == 8 && !defined(__clang__)
-    /* the same as below: gcc makes three operations of where(m, a, b) and where(m, b, a), which share one, and not two */
+    /* the same as below: gcc makes three operations of where(m, a, b) and where(m, b, a), which share one, and not
+     * two */
     typedef long long eight VECTOR(8);
     return (lanes)__builtin_ia32_pternlogq512_mask((eight)m, (eight)a, (eight)b, 0xca, (unsigned char)-1);
 #else

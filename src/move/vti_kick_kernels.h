@@ -242,8 +242,8 @@ VTI_INLINE int64_t kick_and_move_any(struct kicks k, double t, struct stream a, 
     return begin + (end - begin) / WIDTH * WIDTH;
 }
 
-/** How one loop goes through bodies that it translates and turns: so many at a time, while those so far ahead of them are
- *  prefetched, 0 for none, into the first-level cache where near, else the second. */
+/** How one loop goes through bodies that it translates and turns: so many at a time, while those so far ahead of them
+ *  are prefetched, 0 for none, into the first-level cache where near, else the second. */
 struct strips {
     int64_t bodies, ahead;
     int near;

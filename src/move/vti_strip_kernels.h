@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Bodies in strips, where one loop translates and turns them: what it translates before it turns, and what it prefetches.
- * Included by vti_move_kernels.h only. */
+ * Bodies in strips, where one loop translates and turns them: what it translates before it turns, and what it
+ * prefetches. Included by vti_move_kernels.h only. */
 #ifndef VTI_STRIP_KERNELS_H
 #define VTI_STRIP_KERNELS_H
 
@@ -15,11 +15,11 @@ VTI_INLINE struct translation translation_with(enum order order, const struct tr
     return order == MIXED || with == NULL ? none : *with;
 }
 
-/** Memory gives more to a loop that goes from array to array every few of its lines than to loops that stay with some of
- *  the arrays. Of so many bodies that no cache near has them, what comes next is prefetched, as the processor itself does
- *  not foresee eight arrays and more in turns; of fewer it costs more than it gains. Into the first-level cache, and then
- *  in short strips, as it waits for few lines at once; AMD's processors, where that doubles the time of a step, into the
- *  second. */
+/** Memory gives more to a loop that goes from array to array every few of its lines than to loops that stay with some
+ *  of the arrays. Of so many bodies that no cache near has them, what comes next is prefetched, as the processor itself
+ *  does not foresee eight arrays and more in turns; of fewer it costs more than it gains. Into the first-level cache,
+ *  and then in short strips, as it waits for few lines at once; AMD's processors, where that doubles the time of a
+ *  step, into the second. */
 enum { STRIP = 32, SHORT_STRIP = 8, AHEAD = 32, FAR = 1 << 19 };
 
 static struct strips strips_of(int64_t bodies)
@@ -83,8 +83,8 @@ VTI_INLINE void prefetch_line(enum order order, struct translation x, struct kic
     prefetch_kicks(x.strips, order, k, omega, i);
 }
 
-/** The first body after those that are prefetched while the strip up to `to` moves, which begin x.strips.ahead after it;
- *  0 if none are. */
+/** The first body after those that are prefetched while the strip up to `to` moves, which begin x.strips.ahead after
+ *  it; 0 if none are. */
 VTI_INLINE int64_t prefetched_until(enum order order, struct translation x, int64_t to, int64_t end)
 {
     const int64_t until = to + x.strips.ahead;

@@ -47,9 +47,9 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
 }
 
 /** a <- a (+) dalpha(u). Returns whether the incremental form is allowed, of all lanes: 2 |f u.a| < c, |a| < 2^29 and
- *  |f u| < 2^29 c. Its sum tells, of 0 < c <= 2: where the first holds, it is no smaller than its parts along a, at least
- *  2/3 |a|, and along u, at least 8/(5 c) |f u|, but for less than 1. So one sum that is less than c^2, as rounding keeps
- *  order, tells all. */
+ *  |f u| < 2^29 c. Its sum tells, of 0 < c <= 2: where the first holds, it is no smaller than its parts along a, at
+ *  least 2/3 |a|, and along u, at least 8/(5 c) |f u|, but for less than 1. So one sum that is less than c^2, as
+ *  rounding keeps order, tells all. */
 VTI_INLINE int turn_alphas(int law, double side, lanes s2, const lanes u[3], lanes a[3])
 {
     lanes add[3], cf[2];

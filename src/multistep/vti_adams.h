@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Coefficients of Adams' and Stoermer's backward differences (EQUATIONS 8.1), s in units of h:
  *     g_j = G_j(1),  d_j = int_0^1 (1 - s) C(s + j - 1, j) ds,  G_j(s) = int_0^s C(u + j - 1, j) du
- * as quotients of whole numbers; and M_mj, by which G_j is M_0j + M_1j z + M_2j z^2 + M_3j z^3 in z = s - 1/2 at the four
- * nodes of Gauss' quadrature. */
+ * as quotients of whole numbers; and M_mj, by which G_j is M_0j + M_1j z + M_2j z^2 + M_3j z^3 in z = s - 1/2 at the
+ * four nodes of Gauss' quadrature. */
 #ifndef VTI_ADAMS_H
 #define VTI_ADAMS_H
 

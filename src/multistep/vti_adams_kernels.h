@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a multistep method does to one body after the other, or two at once (EQUATIONS 8.1), its numbers in quads: of the
- * six differences of a body, translation first, the first four (a quad whose last number is the turn's) and the last
- * four (whose first is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by
+ * What a multistep method does to one body after the other, or two at once (EQUATIONS 8.1), its numbers in quads: of
+ * the six differences of a body, translation first, the first four (a quad whose last number is the turn's) and the
+ * last four (whose first is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by
  * vti_multistep.c. */
 #ifndef VTI_ADAMS_KERNELS_H
 #define VTI_ADAMS_KERNELS_H

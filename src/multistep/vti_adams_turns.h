@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Bodies turned by vectors of their own in space, a body to a lane, to order 9 in the turn, as vti_move_turn_by does one:
- * the attitudes in a step of a multistep method, which turn by what vti_adams_kernels.h finds. Lanes that are left over
- * do the last body once more, with the same result. Included by vti_move_kernels.h only. */
+ * Bodies turned by vectors of their own in space, a body to a lane, to order 9 in the turn, as vti_move_turn_by does
+ * one: the attitudes in a step of a multistep method, which turn by what vti_adams_kernels.h finds. Lanes that are left
+ * over do the last body once more, with the same result. Included by vti_move_kernels.h only. */
 #ifndef VTI_ADAMS_TURNS_H
 #define VTI_ADAMS_TURNS_H
 
 #include "vti_adams_magnus.h"
 #include "../move/vti_turn_kernels.h"
 
-/** Turns the bodies of the lanes; 0, and nothing is written, where one turns by so much, or has turned so far, that they
- *  are to be done one by one. */
+/** Turns the bodies of the lanes; 0, and nothing is written, where one turns by so much, or has turned so far, that
+ *  they are to be done one by one. */
 VTI_INLINE int adams_turn_alphas(lanes s2, const lanes u[3], const vti_view *alpha, int adjacent, int64_t i, int64_t n)
 {
     lanes a[3];

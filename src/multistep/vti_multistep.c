@@ -6,7 +6,8 @@
  *     predict   v_p = v + h sum g_j N^j a,  x_p = x + h v + h^2 sum d_j N^j a,  w_p = w + h sum g_j N^j b
  *               R_p = R turned by the Magnus vector of w(s) = w + h sum G_j(s) N^j b
  *     correct   D = f_{n+1} - sum_{j<K} N^j f_n, f_{n+1} at the predicted state
- *               v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b,  R = R(c h^2 d_K D_b) R_p,  g = g_K + u
+ *               v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b,  R = R(c h^2 d_K D_b) R_p,
+ *               g = g_K + u
  *
  * With u not 0 the last order is given for a larger reach. With c = 0 positions and attitudes stay where they were
  * predicted, which is where the forces are from: AN(1, 0) is velocity Verlet, AN(2, 0) Beeman's method. */
@@ -47,7 +48,7 @@ const vti_multistep *vti_multistep_find(const char *name)
     return NULL;
 }
 
-/* ---- what is remembered -------------------------------------------------------------------------------------------- */
+/* ---- what is remembered ------------------------------------------------------------------------------------------ */
 
 static int check_past(const vti_past *past, const vti_bodies *b, vti_fault *fault)
 {
@@ -79,7 +80,7 @@ int vti_multistep_record(vti_past *past, const vti_bodies *b)
     return VTI_OK;
 }
 
-/* ---- all of them --------------------------------------------------------------------------------------------------- */
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
 
 static int check(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *b, vti_fault *fault)
 {

@@ -2,7 +2,8 @@
  *
  * A quad: four numbers of one body in vector registers, PARTS parts of them, so that a body alone is served as one of
  * many; in eight lanes those of AT_ONCE = 2 bodies, one after the other. +, -, * and / are C's own on each part,
- * for (int k = 0; k < PARTS; ++k), and do with every number what they do with one; so the bits do not depend on the width.
+ * for (int k = 0; k < PARTS; ++k), and do with every number what they do with one; so the bits do not depend on the
+ * width.
  *     quad_load, quad_store  four numbers at p and, of the second body, at p + apart
  *     quad_of                (x, y, z, w), of each body
  *     quad_get               a number of a body

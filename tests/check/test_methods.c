@@ -30,9 +30,9 @@ static const struct known *known_of(const char *name)
     return NULL;
 }
 
-/** The kit judges steps that depend on where the bodies are. One that depends on past steps too, as Gear's and the Adams
- *  methods' do, has a bound of its own on h omega, of which the kit warns. pd8 is rk8pd, and orders above 8 come from
- *  engines that others show. */
+/** The kit judges steps that depend on where the bodies are. One that depends on past steps too, as Gear's and the
+ *  Adams methods' do, has a bound of its own on h omega, of which the kit warns. pd8 is rk8pd, and orders above 8 come
+ *  from engines that others show. */
 static int is_judged(const vti_stepper *m)
 {
     return strncmp(m->name, "abm", 3) != 0 && strcmp(m->name, "gear") != 0 && strcmp(m->name, "pd8") != 0 &&

@@ -42,7 +42,8 @@ check(code == 1 and report["faults"] == ["order 1: velocities are half a kick la
       and report["remarks"] == ["translation only: rotation is not looked at"], "a fault of translation, as JSON")
 code, out, err = run("--translation")
 faulty = {line.split()[0] for line in out.splitlines() if not line.startswith(" ") and "no fault" not in line}
-short_reach = {"an10-mid", "an10-fine", "abm8", "abm10", "abm12"}  # stable at smaller steps only than those that the check takes
+# stable at smaller steps only than those that the check takes
+short_reach = {"an10-mid", "an10-fine", "abm8", "abm10", "abm12"}
 check(code == 1 and faulty == {"vti3", "quat-euler", "campello"} | short_reach and "spin" not in out, "all methods, translation only")
 
 code, out, err = run("--inertia")

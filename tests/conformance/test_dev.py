@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""./dev: paths are those of its caller, and what is missing is named for those who have no apt or no rights. The programs are
+"""./dev: paths are those of its caller, and what is missing is named for those who have no apt or no rights. The
+programs are
 stand-ins that write down where they are called and with what.      test_dev.py PROJECT"""
 import os
 import pathlib

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """What docs/linking.md says of a host's own flags: they act on vti_rrv.h, whose bits -march and -O do not change where
--ffp-contract=off is given, and do change where it is not.                                          test_flags.py PROJECT"""
+-ffp-contract=off is given, and do change where it is not.                                      test_flags.py PROJECT"""
 import pathlib
 import shutil
 import subprocess

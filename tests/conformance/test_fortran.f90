@@ -154,7 +154,8 @@ contains
         end do
         call expect_status(vti_step_finish(method, long_step, b), VTI_OK, 'finish')
         call expect_status(vti_step_error(method, b, errors, velocity, spin), VTI_OK, 'error')
-        call expect(abs(velocity - sqrt(maxval(sum(sum(expected**2, 1), 1)))) <= 1e-14_c_double + 1e-6_c_double*velocity, &
+        call expect(abs(velocity - sqrt(maxval(sum(sum(expected**2, 1), 1)))) <= &
+            1e-14_c_double + 1e-6_c_double*velocity, &
             'the estimate is that of the weights')
         call expect(velocity > 0 .and. spin > 0, 'both are estimated')
         call expect_status(vti_step_watch(vti_stepper_find('vti2'), 0_c_int64_t, h, b, errors), VTI_E_STEPPER, &

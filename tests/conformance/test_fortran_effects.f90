@@ -123,7 +123,8 @@ contains
             call vti_pendulum_arm(pendulum, b, int(i, c_int64_t), arm)
             energy = energy + vti_pendulum_potential(pendulum, arm)
         end do
-        call expect(abs(energy - ours(3)) <= n*epsilon(1d0)*(ours(1) + ours(2) + n*pendulum%weight), 'potentials of all bodies')
+        call expect(abs(energy - ours(3)) <= n*epsilon(1d0)*(ours(1) + ours(2) + n*pendulum%weight), &
+            'potentials of all bodies')
         call expect(abs(vti_max_turn(1.0_c_double, b) - maxval(norm2(s%omega, 1))) <= 4*epsilon(1.0_c_double)* &
             maxval(norm2(s%omega, 1)), 'largest |Omega|') ! two evaluations of a norm, each good to 2 eps
     end subroutine

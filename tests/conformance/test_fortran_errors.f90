@@ -373,7 +373,8 @@ contains
         call expect_status(vti_bonds_measure(one, two, 1_c_int64_t, 1_c_int64_t, measures), VTI_OK, 'what a bond holds')
         call expect(all(abs(measures(:, 1) - [4.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double, &
             0.5_c_double]) < 1e-14_c_double), 'N, U and the stretch')
-        call expect_status(vti_bonds_measure(one, two, 1_c_int64_t, 2_c_int64_t, measures), VTI_E_COUNT, 'too few measures')
+        call expect_status(vti_bonds_measure(one, two, 1_c_int64_t, 2_c_int64_t, measures), VTI_E_COUNT, &
+            'too few measures')
         call expect_status(vti_rupture_check(rupture), VTI_OK, 'limits')
         limit = 0
         call expect_status(vti_rupture_check(rupture, fault), VTI_E_BOND, 'a limit of 0')

@@ -119,9 +119,10 @@ contains
         call add(c_sizeof(density), c_loc(density), [c_loc(density%epsilon), c_loc(density%rho), c_loc(density%h)])
         call add(c_sizeof(effect), c_loc(effect), [c_loc(effect%name), c_loc(effect%apply), &
             c_loc(effect%energy), c_loc(effect%check), c_loc(effect%springs), c_loc(effect%flow), &
-            c_loc(effect%flow_clumps), c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), c_loc(effect%needs), &
-            c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%settles), c_loc(effect%breaks), c_loc(effect%dissipates), &
-            c_loc(effect%terms), c_loc(effect%term), c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked), &
+            c_loc(effect%flow_clumps), c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), &
+            c_loc(effect%needs), c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%settles), &
+            c_loc(effect%breaks), c_loc(effect%dissipates), c_loc(effect%terms), c_loc(effect%term), &
+            c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked), &
             c_loc(effect%by_body), c_loc(effect%of_body)])
         call add(c_sizeof(drifted), c_loc(drifted), [c_loc(drifted%t), c_loc(drifted%law), &
             c_loc(drifted%frame), c_loc(drifted%rotor), c_loc(drifted%clumps), c_loc(drifted%bodies)])
@@ -142,8 +143,9 @@ contains
             c_loc(multistep%c), c_loc(multistep%u), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
         call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), &
-            c_loc(bond_dashpots%zeta), c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &
-            c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost), c_loc(bond_dashpots%by_body)])
+            c_loc(bond_dashpots%zeta), c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), &
+            c_loc(bond_dashpots%bending), c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost), &
+            c_loc(bond_dashpots%by_body)])
         call add(c_sizeof(rupture), c_loc(rupture), [c_loc(rupture%bonds), c_loc(rupture%id), c_loc(rupture%stretch), &
             c_loc(rupture%normal), c_loc(rupture%shear), c_loc(rupture%bending), c_loc(rupture%torsion), &
             c_loc(rupture%energy), c_loc(rupture%lost), c_loc(rupture%by_body)])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Each host of examples/ ends where vti-run ends with the same scene, to the last bit; the old code does not before the
-change that examples/legacy shows.                                                  test_hosts.py PROJECT VTI_RUN HOST..."""
+change that examples/legacy shows.                                              test_hosts.py PROJECT VTI_RUN HOST..."""
 import pathlib
 import shutil
 import subprocess

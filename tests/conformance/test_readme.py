@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Code in the documents is quoted from programs that the tests run, their commands and links exist, and numbers that they tell of
+"""Code in the documents is quoted from programs that the tests run, their commands and links exist, and numbers that
+they tell of
 measurements are those measured.      test_readme.py PROJECT"""
 import difflib
 import pathlib
@@ -133,7 +134,8 @@ def prices(text):
 
 
 def claims():
-    """What README and steppers.md tell of evaluations, steps, times and instructions is what the pages have that measurements write."""
+    """What README and steppers.md tell of evaluations, steps, times and instructions is what the pages have that
+    measurements write."""
     said = {name: " ".join((project / name).read_text(encoding="utf-8").split()) for name in ("README.md", "docs/steppers.md")}
     accuracy = (project / "docs/accuracy.md").read_text(encoding="utf-8")
     for scene, place in (("pile", " of the evaluations of the best rival on `pile` (t = 1/2, errors of 1e-2 and 1e-4)"),

@@ -50,8 +50,8 @@ static inline void assert_order(const char *what, const int steps[RUNGS], const 
     assert_close(c1, order, slack + half);
 }
 
-/** A multistep method shows an order from `coarsest` steps on. square gives the square of the error of problem i after n
- *  steps: errors pass through zero here and there, mean squares over several problems do not. */
+/** A multistep method shows an order from `coarsest` steps on. square gives the square of the error of problem i after
+ *  n steps: errors pass through zero here and there, mean squares over several problems do not. */
 static inline void assert_multistep_order(const vti_multistep *method, int coarsest, double order, int problems,
                                           double (*square)(const vti_multistep *method, const void *all, int i, int n),
                                           const void *all)

@@ -163,8 +163,8 @@ static void make_problems(struct problem problem[STARTS])
     }
 }
 
-/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0, down to rounding: Magnus' vector, by which it
- *  turns, is of order 8, with so small a factor that K = 10 does not show it. */
+/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0, down to rounding: Magnus' vector, by which
+ *  it turns, is of order 8, with so small a factor that K = 10 does not show it. */
 TEST(multistep_methods_show_theirs)
 {
     static const struct {

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Instructions per step of every method on scenes without contacts, counted by callgrind: the difference of two runs of
-different length, so that start-up is not in it. Each at one h, which matters to methods that iterate or choose their own
+different length, so that start-up is not in it. Each at one h, which matters to methods that iterate or choose their
+own
 steps only. Writes scene,stepper,instructions_per_step.      instructions.py STEPS FILE SCENE.yaml=H..."""
 import concurrent.futures
 import os

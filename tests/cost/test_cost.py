@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each effect costs, in instructions counted by callgrind, and that what is not named costs nothing. Counts do not depend
+"""What each effect costs, in instructions counted by callgrind, and that what is not named costs nothing. Counts do not
+depend
 on what else the machine does. Prints the table of docs/steppers.md.      test_cost.py COST VALGRIND [PAGE]
 PAGE: that page, of builds with kernels for AVX2, whose counts it has."""
 import functools

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""No -march makes a step, an effect or a lone body dearer than the default build by more than 5 %, whatever the compiler, and no
-compiler's default build dearer than gcc's: the library is built here by each, and callgrind, which knows vectors up to AVX2, counts.
-test_march.py ROOT VALGRIND"""
+"""No -march makes a step, an effect or a lone body dearer than the default build by more than 5 %, whatever the
+compiler, and no compiler's default build dearer than gcc's: the library is built here by each, and callgrind, which
+knows vectors up to AVX2, counts. test_march.py ROOT VALGRIND"""
 import concurrent.futures
 import glob
 import os
@@ -21,7 +21,8 @@ CACHE = ["ccache"] if shutil.which("ccache") else []
 COMPILERS = [name for name in ("gcc", "gcc-14", "clang") if shutil.which(name)]
 MACHINES = ("", "-march=x86-64-v3")
 STEPS = 20
-# letters of cost.c: what translates, turns and is loaded, with bonds, contacts, walls, gravity, as a pendulum, and one of those
+# letters of cost.c: what translates, turns and is loaded, with bonds, contacts, walls, gravity, as a pendulum, and one
+# of those
 SCENES = {"a step of spheres": "trl", "bonds": "trlmas", "contacts": "trlc", "walls": "trlw", "gravity": "trlg",
           "pendulums": "rlp", "one pendulum": "rlp1"}
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A cost study by formula, as vti-study --cost writes one: every method has an order, an error at h = 1, force evaluations
-per step and nanoseconds per evaluation."""
+"""A cost study by formula, as vti-study --cost writes one: every method has an order, an error at h = 1, force
+evaluations per step and nanoseconds per evaluation."""
 import os
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of vti-plot share: calling it, and looking at what it drew or said. Ends the test with status 77 (skipped)
-where Python lacks what the program needs."""
+"""What the tests of vti-plot share: calling it, and looking at what it drew or said. Ends the test with status 77
+(skipped) where Python lacks what the program needs."""
 import contextlib
 import importlib
 import io
@@ -90,7 +90,8 @@ def refuses(program, source, *words, options=()):
 
 
 def refuses_damage(program, path, write, gone, attributes, replaced):
-    """A file that write makes, and of which parts are missing, cut off, or replaced by others: (dataset, values or None, words)."""
+    """A file that write makes, and of which parts are missing, cut off, or replaced by others: (dataset, values or
+    None, words)."""
     refuses(program, path, path, "no such file")
     write(path)
     with open(path, "rb") as file:

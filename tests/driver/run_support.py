@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of vti-run share: readers of its files that are written from the formats' descriptions and know nothing of the
-writer. Each reader returns frames: dictionaries of t, step and arrays by their names in HDF5."""
+"""What the tests of vti-run share: readers of its files that are written from the formats' descriptions and know
+nothing of the writer. Each reader returns frames: dictionaries of t, step and arrays by their names in HDF5."""
 import functools
 import os
 import xml.etree.ElementTree as ElementTree

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/scenes.md from what vti-run says of its keys: vti-run --list keys | tests/driver/scenes_page.py > docs/scenes.md"""
+"""docs/scenes.md from what vti-run says of its keys: vti-run --list keys | tests/driver/scenes_page.py >
+docs/scenes.md"""
 import re
 import sys
 
@@ -33,7 +34,8 @@ def page(listed):
         if top != section:
             section = top
             parts.append(f"\n## {top}\n\n| key | what | value | |\n|-----|------|-------|---|\n")
-        cells = (cell.replace("|", "\\|") for cell in (f"`{key}`", about, value, says))     # or a bar would end the cell
+        # or a bar would end the cell
+        cells = (cell.replace("|", "\\|") for cell in (f"`{key}`", about, value, says))
         parts.append("| " + " | ".join(cells) + " |\n")
     return "".join(parts)
 

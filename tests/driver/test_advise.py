@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-advise: what it promises holds in the run that follows, measured by vti-study --cost against GSL's solution, on six
-scenes of which two have contacts; that it always answers, for no more than it may take, and errors lie in the intervals
-that it tells; its JSON; what it refuses.
+"""vti-advise: what it promises holds in the run that follows, measured by vti-study --cost against GSL's solution, on
+six scenes of which two have contacts; that it always answers, for no more than it may take, and errors lie in the
+intervals that it tells; its JSON; what it refuses.
 
 usage: test_advise.py VTI_ADVISE VTI_STUDY VTI_RUN MPIRUN SCENES"""
 import csv
@@ -61,8 +61,8 @@ def energy_error(name, t_end, stepper, h):
 
 
 def longer_steps_miss(name, t_end, error, advice):
-    """Whether an error far below what was asked for has a reason: as many steps less as pilots go by miss it, or are more
-    than nine tenths of what is stable, or fewer than four."""
+    """Whether an error far below what was asked for has a reason: as many steps less as pilots go by miss it, or are
+    more than nine tenths of what is stable, or fewer than four."""
     steps = round(t_end / advice["h"])
     fewer = steps - (32 if steps > 128 else 2)
     if fewer < 4:
@@ -136,8 +136,8 @@ def words():
 
 
 def sentence():
-    """The sentence says what the first row of its table says: stepper, h, error, whence that is, and within which factor. A quicker
-    machine is told by longer pilots."""
+    """The sentence says what the first row of its table says: stepper, h, error, whence that is, and within which
+    factor. A quicker machine is told by longer pilots."""
     row = re.compile(r"  (\S+) +(\S+) +\d+ +\d+ +\S+ (?:s |ms|us)? +(\S+) .*?(?: ([\d.e+-]+)x)? +(\(from .*\))?$")
     for arguments in (("--t-end", "1e4", "--budget", "0.5", scene("pendulum")), ("--t-end", "1e5", "--budget", "0.2", scene("pendulum")),
                       ("--t-end", "10", scene("pendulum")), ("--t-end", "8", "--budget", "0.001", "--error", "1e-8", scene("block"))):
@@ -183,8 +183,8 @@ def h_max_omega_of_the_solution():
 
 
 def known_to_its_share():
-    """The solution is known to 3 % of the error asked for: at these errors a laxer bound is met by a coarser run. The page prints
-    one digit."""
+    """The solution is known to 3 % of the error asked for: at these errors a laxer bound is met by a coarser run. The
+    page prints one digit."""
     for name, t_end, error in (("pile", 0.25, 1e-4), ("chain", 10, 3e-8), ("pendulum", 10, 1e-8)):
         said = run(advise, *LONG, "--error", repr(error), "--steppers", "srkn11", "--t-end", str(t_end),
                    scene(name)).stdout
@@ -193,14 +193,15 @@ def known_to_its_share():
 
 
 def far_below():
-    """Where forces have kinks an error far below the one asked for may be the solution's own, known to less than its last halving
-    tells: the true one lies in the interval all the same."""
+    """Where forces have kinks an error far below the one asked for may be the solution's own, known to less than its
+    last halving tells: the true one lies in the interval all the same."""
     done = run(advise, "--json", *LONG, "--error", "0.01", "--steppers", "an9", "--t-end", "0.75", scene("block"))
     advice = json.loads(done.stdout)
     found, (least, most) = float(follow("block", 0.75, "an9", advice["h"])["attitude_error"]), advice["interval"]
     check(advice["predicted_error"] < 1e-3 * 0.01 and least <= found <= most,
           f"block, far below 0.01: {found:.3g} lies between {least:.3g} and {most:.3g}")
-    # and what halvings say of a smooth one is an estimate: three bodies, of whose solution it was 1.26e-9, and 1.40e-9 true
+    # and what halvings say of a smooth one is an estimate: three bodies, of whose solution it was 1.26e-9, and 1.40e-9
+    # true
     with tempfile.TemporaryDirectory() as folder:
         with open(f"{folder}/three.yaml", "w", encoding="ascii") as file:
             file.write("name: three\nbodies: {chain: {count: 3, spacing: 1}, mass: 1, diameter: 1, random: {seed: 6, v: 0.5, omega: 0.5}}\n"
@@ -216,9 +217,10 @@ def far_below():
 
 
 def unkicked():
-    """Two bodies that fly into each other: where nothing pushes at the start vti3 has the places of vti2, and is offered by the same
-    step. By its own order 1 it was offered by a ninetieth of that; and while the search went by seconds, which differ from run
-    to run, one of the two was measured and the other, as too dear, followed to half that step."""
+    """Two bodies that fly into each other: where nothing pushes at the start vti3 has the places of vti2, and is
+    offered by the same step. By its own order 1 it was offered by a ninetieth of that; and while the search went by
+    seconds, which differ from run to run, one of the two was measured and the other, as too dear, followed to half that
+    step."""
     with tempfile.TemporaryDirectory() as folder:
         for name, text in (("bodies.csv", "mass,inertia,diameter,x,y,z,vx,vy,vz,alpha_x,alpha_y,alpha_z,omega_x,omega_y,omega_z\n"
                             "1,.1,1,0,0,0,.5,0,0,0,0,0,0,0,0\n1,.1,1,1.2,.1,0,-.5,0,0,0,0,0,0,0,0\n"),
@@ -305,8 +307,8 @@ def near_rounding():
 
 
 def budget_is_hard():
-    """Where one stepper needs a hundredth of the evaluations of another, what the latter needs is no measure of what pilots may
-    take: 4e6 of a body, or as many as the run that is advised on at last."""
+    """Where one stepper needs a hundredth of the evaluations of another, what the latter needs is no measure of what
+    pilots may take: 4e6 of a body, or as many as the run that is advised on at last."""
     for name, t_end, error, bodies in (("pile", 0.5, 1e-6, 128), ("block", 8, 1e-8, 96), ("torus", 2, 1e-6, 80)):
         advice = json.loads(run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), scene(name)).stdout)
         took, may = bodies * advice["pilots"]["force_evals"], max(4e6, bodies * advice["predicted_force_evals"])
@@ -322,7 +324,8 @@ def budget_is_hard():
 
 
 def parted_early():
-    """Where two runs part early the finer one is not flown to its end. What the coarser one tells of the energy is true."""
+    """Where two runs part early the finer one is not flown to its end. What the coarser one tells of the energy is
+    true."""
     advice = json.loads(run(advise, "--json", "--error", "1e-2", "--t-end", "35", scene("torus")).stdout)
     took = 80 * advice["pilots"]["force_evals"]
     check(took <= max(4e6, 80 * advice["predicted_force_evals"]), f"torus to 35: pilots took {took:.3g} evaluations")
@@ -333,8 +336,9 @@ def parted_early():
 
 
 def rolls():
-    """A bead that rolls down a slope from rest turns by 840 rad/s at the end, a regular motion: runs in which it turns by some
-    radians a step are too coarse to tell, and no proof that trajectories part. Its true attitude: four times as many steps."""
+    """A bead that rolls down a slope from rest turns by 840 rad/s at the end, a regular motion: runs in which it turns
+    by some radians a step are too coarse to tell, and no proof that trajectories part. Its true attitude: four times as
+    many steps."""
     of = scene("incline")
     for more in ([], ["--measure", "position"], ["--budget", "10"], ["--t-end", "3"]):
         done = run(advise, "--json", *more, of)
@@ -358,9 +362,9 @@ def rolls():
 
 
 def part_again():
-    """Where two runs part, finer ones tell whether all do, as far as what they may take allows: ten beads roll side by side, by
-    vti2, whose turn of h |Omega| misses (h |Omega|)^2/12 of it, and of which the first two runs differ by 0.6. The bodies of a
-    pile do part."""
+    """Where two runs part, finer ones tell whether all do, as far as what they may take allows: ten beads roll side by
+    side, by vti2, whose turn of h |Omega| misses (h |Omega|)^2/12 of it, and of which the first two runs differ by 0.6.
+    The bodies of a pile do part."""
     with tempfile.TemporaryDirectory() as folder, open(scene("incline"), encoding="utf-8") as one:
         path = os.path.join(folder, "beads.yaml")
         rest = one.read().split("inertia:")[1].split("\n", 1)[1]
@@ -378,8 +382,8 @@ def part_again():
 
 
 def between_touches():
-    """Two runs of a multistep method do not tell by what order its errors fall between touches; and an error far below what was
-    asked for may be the solution's: the interval says so. None of them is so wide that nothing is told."""
+    """Two runs of a multistep method do not tell by what order its errors fall between touches; and an error far below
+    what was asked for may be the solution's: the interval says so. None of them is so wide that nothing is told."""
     meet = """name: meet
 bodies: {lattice: {counts: [2, 2, 2], spacing: 1.0625, corner: [0, 0, 0]}, diameter: 1, mass: 1, random: {seed: 4, v: 0.5}}
 contact: {stiffness: 1000}
@@ -426,8 +430,8 @@ def measures():
 
 
 def only_slowed():
-    """Velocities that a medium alone slows are exact by any step, and ways are not: 0.00337 for 0.05 at h = 0.5, and advice was 1.25
-    by an error of 1e-14 of the velocity."""
+    """Velocities that a medium alone slows are exact by any step, and ways are not: 0.00337 for 0.05 at h = 0.5, and
+    advice was 1.25 by an error of 1e-14 of the velocity."""
     with tempfile.TemporaryDirectory() as folder:
         for drag, measure, true in (("linear: 20", "position", 0.05), ("quadratic: 20, angular: 0.1", "position", math.log(101) / 20),
                                     ("angular: 20", "attitude", 0.05)):
@@ -445,8 +449,8 @@ def only_slowed():
 
 
 def others_by_energy():
-    """Where the energy is asked for the solution is hardly refined: what other measures err by is told only where it is known.
-    Of two bodies in a box it was told as 7e-6, and is 1e-10."""
+    """Where the energy is asked for the solution is hardly refined: what other measures err by is told only where it is
+    known. Of two bodies in a box it was told as 7e-6, and is 1e-10."""
     with tempfile.TemporaryDirectory() as folder:
         with open(f"{folder}/box.yaml", "w", encoding="ascii") as file:
             file.write("name: box\nbodies: {lattice: {counts: [2,1,1], spacing: 1.5}, diameter: 1, mass: 1, random: {seed: 2, v: 1}}\n"
@@ -490,8 +494,8 @@ def general_inertia():
 
 
 def says_why():
-    """Why the error is far below what was asked for, and where h stands beside the stable step: the words fit the numbers. The
-    pendulum's step to t = 1/8 is a sixteenth of the stable one, 2; the chain's is as long as can be."""
+    """Why the error is far below what was asked for, and where h stands beside the stable step: the words fit the
+    numbers. The pendulum's step to t = 1/8 is a sixteenth of the stable one, 2; the chain's is as long as can be."""
     for name, t_end, words in (("pendulum", "1/8", "fewer steps are not tried"), ("chain", "4", "stability, not the error, sets the step")):
         said = run(advise, "--error", "0.1", "--steppers", "vti2", "--t-end", t_end, scene(name)).stdout
         check(f"note: {words}" in said, f"{name} to {t_end}: {words}")
@@ -508,8 +512,8 @@ def says_why():
 
 
 def as_long_as_can_be():
-    """To as many steps as can be counted, 2^53, and nearly as many: what is advised is stable and can be counted (the longest
-    stable step of the pendulum is 3.5, of srkn14; that of exact 2), and the budget is kept."""
+    """To as many steps as can be counted, 2^53, and nearly as many: what is advised is stable and can be counted (the
+    longest stable step of the pendulum is 3.5, of srkn14; that of exact 2), and the budget is kept."""
     for t_end in ("1e13", "4e15", "1e16"):
         begin = time.monotonic()
         done = run(advise, "--json", "--t-end", t_end, "--budget", "1", "--set", "h=1e12", scene("pendulum"))
@@ -530,9 +534,9 @@ t_end: 20
 
 
 def one_touch():
-    """A ball meets a wall once, which takes a thousandth of the time: the largest error of the energy is within that, and of two
-    steps one may err by a hundred times less than the other. What vti-run shows at every step is in the interval. By default
-    the velocity is advised on, as nothing turns the ball."""
+    """A ball meets a wall once, which takes a thousandth of the time: the largest error of the energy is within that,
+    and of two steps one may err by a hundred times less than the other. What vti-run shows at every step is in the
+    interval. By default the velocity is advised on, as nothing turns the ball."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "ball.yaml")
         for measure, error, height in (("energy", 1e-2, 9.5), ("energy", 1e-4, 5.3), (None, 1e-3, 6.1), (None, 1e-4, 9.5)):
@@ -556,8 +560,9 @@ t_end: 60
 
 
 def strays():
-    """Two bonded bodies that spin fast: what is off by 1e-12 grows to all there is. From the first part of the time, which is all
-    that the budget has room for, one would say that errors grow in proportion to time, and be off by 1e4."""
+    """Two bonded bodies that spin fast: what is off by 1e-12 grows to all there is. From the first part of the time,
+    which is all that the budget has room for, one would say that errors grow in proportion to time, and be off by
+    1e4."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "strays.yaml")
         with open(path, "w", encoding="ascii") as file:

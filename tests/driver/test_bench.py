@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT SOURCE VTI-RUN VTI-STUDY [COST]. Not how long anything takes, but that every case is timed and that the
-page says what the files do."""
+"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT SOURCE VTI-RUN VTI-STUDY [COST]. Not how long anything
+takes, but that every case is timed and that the page says what the files do."""
 import csv
 import os
 import shutil
@@ -57,8 +57,8 @@ def test_makespan(bench):
 
 
 def test_counts(bench, cost):
-    """Operations of a step by hand: the kicks of two vectors, each six products and sums and two quotients of which each serves
-    three, and the drift of x, three of each; the turn is what is left."""
+    """Operations of a step by hand: the kicks of two vectors, each six products and sums and two quotients of which
+    each serves three, and the drift of x, three of each; the turn is what is left."""
     rows = {row["what"]: row for row in printed(os.path.join(bench, "flops.py"), cost)}
     step, bond, touch, loss = (float(rows[what]["flops"]) for what in ("step", "bond", "touching pair", "friction and dashpots"))
     check(2 * 14 + 6 < step < 120, f"a step takes its kicks and its drift, and not much more: {step}")

@@ -58,8 +58,8 @@ TEST(rounds)
     chunks_destroy(&c);
 }
 
-/** As if every seventh pair's bond had broken where it is: it touches at that distance. The bodies of one more pair have been
- *  apart since, by which the list is taken again. */
+/** As if every seventh pair's bond had broken where it is: it touches at that distance. The bodies of one more pair
+ *  have been apart since, by which the list is taken again. */
 static void part(struct model *model)
 {
     struct message message;
@@ -180,8 +180,8 @@ static void assert_same_loads(struct model *model, const vti_effect *whole)
     }
 }
 
-/** Over drifts in which touches begin, slide and end, some of them of bonds that have broken, by all bodies and by slices, and
- *  with what a checkpoint keeps. */
+/** Over drifts in which touches begin, slide and end, some of them of bonds that have broken, by all bodies and by
+ *  slices, and with what a checkpoint keeps. */
 TEST(friction_as_in_one_piece)
 {
     struct scene scene;

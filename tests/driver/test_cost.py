@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-study --cost as a user runs it: the files, the same errors for any number of ranks, orders, counts of force evaluations,
+"""vti-study --cost as a user runs it: the files, the same errors for any number of ranks, orders, counts of force
+evaluations,
 prices found again from the runs, failed runs and bad input. No time is asserted.      test_cost.py VTI_STUDY MPIRUN SCENES"""
 import csv
 import math
@@ -149,8 +150,9 @@ t_end: 60
 
 
 def late_touch(base):
-    """Two equal spheres, nothing before they meet at t = 32 and nothing after it: their velocities are exchanged. No method that
-    chooses its steps passes by that, the solution's own least of all; attitudes, which nothing changes, tell nothing of it."""
+    """Two equal spheres, nothing before they meet at t = 32 and nothing after it: their velocities are exchanged. No
+    method that chooses its steps passes by that, the solution's own least of all; attitudes, which nothing changes,
+    tell nothing of it."""
     with open(f"{base}/late.csv", "w", encoding="ascii") as file:
         file.write("x,y,z,vx,vy,vz\n0,0,0,1,0,0\n33,0,0,0,0,0\n")
     with open(f"{base}/late.yaml", "w", encoding="ascii") as file:
@@ -170,8 +172,8 @@ def late_touch(base):
 
 
 def every_step(base):
-    """The error of the energy has its maximum within the touch of a ball and a wall, and most of it goes with the touch: as velocity
-    Verlet by hand finds it, with the wall's energy 2/5 K (1 - x/(1/2))^(5/2)."""
+    """The error of the energy has its maximum within the touch of a ball and a wall, and most of it goes with the
+    touch: as velocity Verlet by hand finds it, with the wall's energy 2/5 K (1 - x/(1/2))^(5/2)."""
     steps, h, x, v = 4096, 20 / 4096, 9.5, -1.0
     with open(f"{base}/ball.yaml", "w", encoding="ascii") as file:
         file.write("name: ball\nbodies: {x: [0, 0, 9.5], diameter: 1, mass: 1, v: [0, 0, -1]}\n"
@@ -200,8 +202,8 @@ def failing(base):
 
 
 def all_by_one_step(base):
-    """Runs whose largest step has every error on the list tell no trade of error against cost, and none is told; where it has some
-    of them, the trade is that of the others."""
+    """Runs whose largest step has every error on the list tell no trade of error against cost, and none is told; where
+    it has some of them, the trade is that of the others."""
     result = cost(1, PENDULUM, "--t-end", "8", "--h", "8/4096", "--steppers", "exact,srkn14", folder=f"{base}/one")
     check(result.returncode == 0 and "factor of ten" not in result.stdout, f"one step for all errors tells no factor {result.stderr}")
     steps = ",".join(f"8/{1024 << k}" for k in range(7))

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes that lose energy: vti-run books what is lost, the sum with it stays, a run that is prolonged has the bytes of one run, and
+"""Scenes that lose energy: vti-run books what is lost, the sum with it stays, a run that is prolonged has the bytes of
+one run, and
 what cannot dissipate is refused in one line.      test_dissipation.py VTI_RUN VTI_STUDY VTI_ADVISE MPIRUN"""
 import csv
 import json
@@ -111,7 +112,8 @@ def ledger(base, name):
 
 
 def pieces(base):
-    """Bonds break for good, and a chain that has lost k of them is k + 1 pieces; files say of each time which they are."""
+    """Bonds break for good, and a chain that has lost k of them is k + 1 pieces; files say of each time which they
+    are."""
     with h5py.File(f"{base}/snap/out.h5") as file:
         holds = file["VTKHDF/CellData/bond_holds"][...].reshape(-1, 15)[:, 8:]
         energy = file["VTKHDF/CellData/bond_energy"][...].reshape(-1, 15)[:, 8:]
@@ -221,8 +223,8 @@ def advice(base):
 
 
 def lags(base):
-    """No flow goes back by half a kick: vti3-leapfrog is of order 1 here, and is offered by that. By order 2 it erred by 7.5e-5, above
-    all that was told."""
+    """No flow goes back by half a kick: vti3-leapfrog is of order 1 here, and is offered by that. By order 2 it erred
+    by 7.5e-5, above all that was told."""
     with open(f"{base}/lags.yaml", "w", encoding="ascii") as file:
         file.write("name: lags\nbodies: {chain: {count: 3, spacing: 1}, mass: 1, diameter: 1, random: {seed: 2, v: 0.5, omega: 2}}\n"
                    "binder: {moment: 5, axial: 60, shear: {stiffness: 30}}\nbond_dashpot: {zeta: 0.05, bending: 0.02}\n"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/files.md names what the programs write, no more and no less, with its shape and its unit. Units are proved: a scene is
-computed in two systems of units, and each number is as many times larger as its unit says.
-test_files.py DOCS VTI_RUN VTI_STUDY MPIRUN SCENES"""
+"""docs/files.md names what the programs write, no more and no less, with its shape and its unit. Units are proved: a
+scene is computed in two systems of units, and each number is as many times larger as its unit says. test_files.py DOCS
+VTI_RUN VTI_STUDY MPIRUN SCENES"""
 import csv
 import fnmatch
 import os
@@ -67,7 +67,8 @@ def rule(section, kind, name):
     return next((row for row in rows if fnmatch.fnmatchcase(name, row.replace("NNNNNN", "[0-9]" * 6).replace("KEY", "*.*"))), None)
 
 
-# ---- what the programs write ----------------------------------------------------------------------------------------------
+# ---- what the programs write
+# ----------------------------------------------------------------------------------------------
 
 
 def scene(base, u):
@@ -137,7 +138,8 @@ t_end: {u['s'] * 2!r}
 
 
 def shaped(base, u):
-    """Bodies that are no spheres: clumps, and ellipsoids with bonds. Their solids are known, their references are not."""
+    """Bodies that are no spheres: clumps, and ellipsoids with bonds. Their solids are known, their references are
+    not."""
     path = os.path.join(base, "clumps.yaml")
     with open(path, "w", encoding="ascii") as file:
         file.write(f"""name: clumps
@@ -164,7 +166,8 @@ t_end: {u['s']!r}
 
 
 def outputs(base, u):
-    """All that is written of the scenes in these units, and once of two that are shipped, where other momenta are conserved."""
+    """All that is written of the scenes in these units, and once of two that are shipped, where other momenta are
+    conserved."""
     steps = ",".join(repr(u["s"] / n) for n in (64, 128, 256))
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
@@ -256,7 +259,8 @@ def written(base, u):
     return found
 
 
-# ---- the page ---------------------------------------------------------------------------------------------------------------
+# ---- the page
+# ---------------------------------------------------------------------------------------------------------------
 
 
 def names(found):
@@ -295,8 +299,8 @@ def shapes(found):
 
 
 def units(one, other):
-    """Each number of the other is factor(unit) times that of the one. Errors near rounding are not compared: the reference
-    solution has tolerances."""
+    """Each number of the other is factor(unit) times that of the one. Errors near rounding are not compared: the
+    reference solution has tolerances."""
     proved = set()
     for (section, kind, content), (_, _, scaled) in zip(one, other):
         for name, values in content.items():

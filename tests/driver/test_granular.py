@@ -91,8 +91,10 @@ def turned(degrees):
     return [math.sin(math.radians(degrees)), 0.0, -math.cos(math.radians(degrees))]
 
 
-# The whole page: a column of 4 x 8 beads that ends as a row of 32; a heap of 20 degrees; beads 37 degrees beside the axis of the
-# drum; and beads that meet the plane at 60 and at 30 degrees, of which the first slides all the way, tan 30 being less than 7/2 mu (1 + e).
+# The whole page: a column of 4 x 8 beads that ends as a row of 32; a heap of 20 degrees; beads 37 degrees beside the
+# axis of the drum; and beads that meet the plane at 60 and at 30 degrees, of which the first slides all the way, tan 30
+# being less
+# than 7/2 mu (1 + e).
 with tempfile.TemporaryDirectory() as folder:
     square = np.array([((2 * k + 1) * RADIUS, 0.0, (2 * row + 1) * RADIUS) for k in range(4) for row in range(8)])
     line = np.array([((2 * k + 1) * RADIUS, 0.0, RADIUS) for k in range(32)])

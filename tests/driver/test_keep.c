@@ -2,6 +2,7 @@
  * What survives a kill, part by part: pieces that are committed or taken back, damage, identities, streams of records,
  * files that come together or not at all. Programs that are killed: test_run_resume.py, tests/hard. */
 #define _POSIX_C_SOURCE 200809L
+#include <sqlite3.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -80,6 +81,55 @@ TEST(damage_is_seen)
     assert_non_null(strstr(message.text, "is damaged; delete it and start the run anew"));
     assert_int_equal(keep_check(&keep, KEEP_ROWS, &count, &message), -1);
     keep_remove(&keep);
+}
+
+/** A text is left as it is. What cannot be written is said with its reason, each time anew. */
+TEST(reasons)
+{
+    enum { TEXT = 100 };
+    static char large[1 << 20];
+    struct keep keep;
+    struct message message = {""};
+    struct stat info;
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    for (int k = 0; k < TEXT; ++k)
+        fputc(k % 20 == 19 ? '\n' : 'a', file);
+    fclose(file);
+    assert_int_equal(open_as(&keep, "h: 1\n", 0, &message), -1);
+    assert_non_null(strstr(message.text, "is none of vti's, or is damaged; delete it and start the run anew"));
+    assert_int_equal(stat(path, &info), 0);
+    assert_int_equal(info.st_size, TEXT);
+    assert_int_equal(unlink(path), 0);
+
+    assert_int_equal(open_as(&keep, "h: 1\n", 0, &message), 0);
+    assert_int_equal(sqlite3_exec(keep.db, "PRAGMA max_page_count = 1", NULL, NULL, NULL), SQLITE_OK);
+    for (int k = 0; k < 3; ++k) {
+        message.text[0] = '\0';
+        assert_int_equal(keep_put(&keep, KEEP_ROWS, k, large, sizeof large, &message), -1);
+        assert_non_null(strstr(message.text, "No space left on device; make space there"));
+    }
+    keep_remove(&keep);
+
+    assert_int_equal(open_as(&keep, "h: 1\n", 0, &message), 0);
+    assert_int_equal(sqlite3_exec(keep.db, "DROP TABLE rows", NULL, NULL, NULL), SQLITE_OK);
+    for (int k = 0; k < 3; ++k) {
+        message.text[0] = '\0';
+        assert_int_equal(keep_put(&keep, KEEP_ROWS, k, piece, sizeof piece, &message), -1);
+        assert_non_null(strstr(message.text, "is none of vti's, or is damaged; delete it"));
+        if (k == 1)
+            assert_int_equal(sqlite3_exec(keep.db, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
+    }
+    assert_int_equal(keep_commit(&keep, &message), -1);
+    assert_non_null(strstr(message.text, "is none of vti's, or is damaged; delete it"));
+    keep_remove(&keep);
+
+    if (getuid() == 0) /* may write anywhere */
+        return;
+    assert_int_equal(chmod(folder, 0500), 0);
+    assert_int_equal(open_as(&keep, "h: 1\n", 0, &message), -1);
+    assert_int_equal(chmod(folder, 0700), 0);
+    assert_non_null(strstr(message.text, "Permission denied; allow writing there"));
 }
 
 TEST(identities)
@@ -165,8 +215,11 @@ TEST(together_or_not_at_all)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(committed_or_taken_back), cmocka_unit_test(damage_is_seen),
-                                       cmocka_unit_test(identities), cmocka_unit_test(streams_of_records),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(committed_or_taken_back),
+                                       cmocka_unit_test(damage_is_seen),
+                                       cmocka_unit_test(reasons),
+                                       cmocka_unit_test(identities),
+                                       cmocka_unit_test(streams_of_records),
                                        cmocka_unit_test(together_or_not_at_all)};
     if (!scratch_make(folder, sizeof folder))
         return 1;

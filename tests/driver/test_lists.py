@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""--version of every program, and vti-run --list: the keys that it lists are those that scenes may have, with a sentence each. The scene
-that README.md shows does what it says. Scenes that are shipped are installed, tested and on their page.
-test_lists.py ROOT VTI_RUN PROGRAM..."""
+"""--version of every program, and vti-run --list: the keys that it lists are those that scenes may have, with a
+sentence each. The scene that README.md shows does what it says. Scenes that are shipped are installed, tested and on
+their page. test_lists.py ROOT VTI_RUN PROGRAM..."""
 import csv
 import os
 import re

@@ -177,8 +177,8 @@ TEST(what_moves_as_one_keeps_its_list)
     neighbours_destroy(&b.list);
 }
 
-/** Few pairs that fly fast are looked at less often with a wide skin, many that hardly move are fewer with a narrow one;
- *  none that touches is missed on the way. */
+/** Few pairs that fly fast are looked at less often with a wide skin, many that hardly move are fewer with a narrow
+ *  one; none that touches is missed on the way. */
 TEST(the_skin_follows_the_cost)
 {
     rng g = rng_seed(19);

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study's reference solution against one of 20 digits that shares nothing with it: the pendulum by Taylor series in mpmath,
-and ||q||^2 = int_0^10 theta^2 + |Omega|^2 dt, theta in [0, pi], split where the body passes a half turn (t = 9.55386...), at
+"""The study's reference solution against one of 20 digits that shares nothing with it: the pendulum by Taylor series in
+mpmath, and ||q||^2 = int_0^10 theta^2 + |Omega|^2 dt, theta in [0, pi], split where the body passes a half turn (t =
+9.55386...), at
 which the integrand has a kink.      test_norm.py VTI_STUDY MPIRUN"""
 import os
 import sys
@@ -23,7 +24,8 @@ def product(a, b, n):
 
 
 def taylor(state):
-    """Series of q' = (1/2) Omega q, Omega' = (R e3) x e3 from state = (qx, qy, qz, qw, wx, wy, wz); all products are of two."""
+    """Series of q' = (1/2) Omega q, Omega' = (R e3) x e3 from state = (qx, qy, qz, qw, wx, wy, wz); all products are of
+    two."""
     series = [[value] for value in state]
     for n in range(TERMS):
         x, y, z, w, a, b, c = series

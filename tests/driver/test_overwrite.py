@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vti-run and vti-study replace: results of theirs, and nothing else of anybody's; links are followed, names that a program
+"""What vti-run and vti-study replace: results of theirs, and nothing else of anybody's; links are followed, names that
+a program
 writes under in the meantime are not.      test_overwrite.py VTI_RUN VTI_STUDY SCENES"""
 import os
 import shutil
@@ -39,8 +40,8 @@ def refused(what, folder, words, *command):
 
 
 def own_inputs(base):
-    """The table that a run reads, under the names of its outputs, by links and hard links too, and of what is kept while it runs; --force is no
-    help."""
+    """The table that a run reads, under the names of its outputs, by links and hard links too, and of what is kept
+    while it runs; --force is no help."""
     write(f"{base}/chain.csv", BODIES)
     write(f"{base}/chain.yaml", "name: chain\n" + TABLE % "chain.csv")
     for force in ([], ["--force"]):
@@ -193,7 +194,8 @@ def meanwhile(base):
 
 
 def spheres(base):
-    """A run whose own output is called as another's file of spheres is no such file: neither replaced, nor taken away."""
+    """A run whose own output is called as another's file of spheres is no such file: neither replaced, nor taken
+    away."""
     write(f"{base}/c.yaml", "bodies: {clumps: {spheres: [[0, 0, 0, 1], [1, 0, 0, 1]]}, mass: 1, x: [0, 0, 0], v: [1, 0, 0]}\n"
           "h: 1/64\nt_end: 1\n")
     check(run(RUN, *SPIN, "-o", f"{base}/a-spheres.h5").returncode == 0, "a run that is called a-spheres")
@@ -206,7 +208,8 @@ def spheres(base):
 
 
 def links(base):
-    """An output that is a link stays one, and the file that it leads to is written; not so the name that is written meanwhile."""
+    """An output that is a link stays one, and the file that it leads to is written; not so the name that is written
+    meanwhile."""
     os.makedirs(f"{base}/far")
     for ending in ("h5", "csv", "xdmf", "dump"):
         os.symlink(f"far/real.{ending}", f"{base}/out.{ending}")
@@ -246,8 +249,8 @@ def planted(base):
 
 
 def protected(base):
-    """A result that is write-protected, or that another program writes to, is kept, unless --force is given; so is one that would be
-    taken away."""
+    """A result that is write-protected, or that another program writes to, is kept, unless --force is given; so is one
+    that would be taken away."""
     for name in ("o.csv", "o.dump"):
         folder = f"{base}/{name}"
         run(RUN, *SPIN, "-o", f"{folder}/o.h5")
@@ -274,7 +277,8 @@ def protected(base):
 
 
 def rights(base):
-    """Of one who is not root: what cannot be written or replaced at the end is refused at the start, and what can be is written."""
+    """Of one who is not root: what cannot be written or replaced at the end is refused at the start, and what can be is
+    written."""
     other = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
     os.chmod(base, 0o755)
     program, scene = (shutil.copy(path, base) for path in (RUN, SPIN[0]))  # others may not go where they come from

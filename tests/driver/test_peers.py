@@ -166,7 +166,8 @@ def test_pictures(folder):
 
 
 def test_ratios():
-    """What is said to be times ours: medians, and of the ratios of the rounds that median, the least and the largest."""
+    """What is said to be times ours: medians, and of the ratios of the rounds that median, the least and the
+    largest."""
     said = io.StringIO()
     with contextlib.redirect_stdout(said):
         speed.write({("bond", 8, "bond", "build/vti-bench-avx2"): [(2.0, 6.0), (1.0, 8.0), (4.0, 4.0)]})
@@ -187,7 +188,8 @@ class Release:
 
 
 def test_bonds(folder):
-    """The agglomerate's bonds are those of 2025 in a newer LAMMPS too; the last two coefficients have changed places."""
+    """The agglomerate's bonds are those of 2025 in a newer LAMMPS too; the last two coefficients have changed
+    places."""
     old, new = (scenes.Agglomerate(Release(year), VTI_RUN, folder).laws() for year in (2025, 2026))
     check(old["frame_style"] == "" and new["frame_style"] == "frame particle damping dem", "frame and damping are told where they are known")
     old, new = (law["bond"].split() for law in (old, new))
@@ -252,7 +254,8 @@ def test_lammps(folder):
 
 
 def test_others(folder):
-    """The same of LIGGGHTS and YADE: their material is ours. And at 10 degrees with all losses they come within percents."""
+    """The same of LIGGGHTS and YADE: their material is ours. And at 10 degrees with all losses they come within
+    percents."""
     one = impact.Impact(None, VTI_RUN, folder)
     if not one.others:
         print("skipped: neither LIGGGHTS nor YADE is installed")

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The elementary functions of drivers/scene/plain.h against mpmath: results are the nearest doubles, mirror images are exact.
+"""The elementary functions of drivers/scene/plain.h against mpmath: results are the nearest doubles, mirror images are
+exact.
 
     test_plain.py PLAIN_VALUES
 """

@@ -127,8 +127,8 @@ def test_pictures(program, folder):
 
 
 def test_fitted_lines(_program, folder):
-    """The lines that are drawn run through the points that they were fitted to: they are read off the axes, and pass no point by
-    more than the noise that was put on it."""
+    """The lines that are drawn run through the points that they were fitted to: they are read off the axes, and pass no
+    point by more than the noise that was put on it."""
     path = os.path.join(folder, "study.h5")
     write_study(path)
     study = importlib.import_module("plot.study_file").read_study(path)
@@ -137,7 +137,8 @@ def test_fitted_lines(_program, folder):
     for axes in figure.axes:
         for line in axes.get_lines() if axes.get_xlabel() else []:
             x, y = line.get_xdata(), line.get_ydata()
-            if len(x) == 2 and line.get_marker() == "None" and set(x) <= set(study.runs["h"]):  # the key of slopes is elsewhere
+            # the key of slopes is elsewhere
+            if len(x) == 2 and line.get_marker() == "None" and set(x) <= set(study.runs["h"]):
                 lines.append((axes.get_title().split(":")[0], *x, *y))
     measures = {"Energy error": 0, "The paper's q-error": 1, "True $H^1$ error": 2}
     assert len(lines) == len(PAPER) * len(measures), lines
@@ -161,7 +162,8 @@ def test_points(_program, folder):
 
 
 def test_chosen(_program, folder):
-    """Of runs over time the one in the middle of those that all steppers have is shown; and who is off the most is named."""
+    """Of runs over time the one in the middle of those that all steppers have is shown; and who is off the most is
+    named."""
     invariants, study_file = (importlib.import_module(f"plot.{name}") for name in ("invariants", "study_file"))
     path = os.path.join(folder, "study.h5")
     write_study(path, kept=(1, 2, 3, 4, 11, 12, 13, 14, 29))     # of VTI-1 and VTI-2 1/16 to 1/128, of VTI-3 its finest
@@ -184,8 +186,8 @@ def test_peaks(_program, _folder):
 
 
 def write_sweep(path):
-    """Two groups of two steppers at three steps, over three values: means, spreads and orders that differ in all of them. Returns
-    (group, stepper, h, measure) -> mean, spread."""
+    """Two groups of two steppers at three steps, over three values: means, spreads and orders that differ in all of
+    them. Returns (group, stepper, h, measure) -> mean, spread."""
     measures, told = (*MEASURES, "momentum_error"), {}
     rows, orders = [], []
     for group, point in enumerate((0, 3)):
@@ -211,7 +213,8 @@ def write_sweep(path):
 
 
 def test_ensemble(program, folder):
-    """Points are means, bars reach a standard deviation up and down, and each panel has the orders of its own group and measure."""
+    """Points are means, bars reach a standard deviation up and down, and each panel has the orders of its own group and
+    measure."""
     path = os.path.join(folder, "study.h5")
     told = write_sweep(path)
     draws(program, path, os.path.join(folder, "drawn"), pictures=("ensemble.png",))
@@ -230,7 +233,8 @@ def test_ensemble(program, folder):
 
 
 def test_lost(_program, folder):
-    """A trajectory that is off by more than a tenth at every h has no order, though its errors are on a line; the energy's stays."""
+    """A trajectory that is off by more than a tenth at every h has no order, though its errors are on a line; the
+    energy's stays."""
     path = os.path.join(folder, "study.h5")
     write_study(path)
     with h5py.File(path, "a") as file:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of what accuracy costs: test_plot_cost.py VTI-PLOT. Makes cost studies by formula and holds the page against them;
-then hands it what is none and expects one line each. Of VTI-PLOT only its place is used: the package stands beside it."""
+"""The page of what accuracy costs: test_plot_cost.py VTI-PLOT. Makes cost studies by formula and holds the page against
+them; then hands it what is none and expects one line each. Of VTI-PLOT only its place is used: the package stands
+beside it."""
 import csv
 import importlib
 import itertools
@@ -115,7 +116,8 @@ def least(told, scene, error, index):
 
 
 def test_order_of_rows(program, folder):
-    """By the time to 1e-6, or to the smallest error that half of the methods reach; behind them, those that do not reach it."""
+    """By the time to 1e-6, or to the smallest error that half of the methods reach; behind them, those that do not
+    reach it."""
     told = cost_support.write_cost(folder)
     text = page(program, folder, os.path.join(folder, "docs"))
     for scene in cost_support.SCENES:
@@ -130,7 +132,8 @@ def test_order_of_rows(program, folder):
 
 
 def test_ratios(program, folder):
-    """Everything that is a share of the best rival's: time first, then evaluations; and who has lost, and what is gained."""
+    """Everything that is a share of the best rival's: time first, then evaluations; and who has lost, and what is
+    gained."""
     told = cost_support.write_cost(folder, methods={**cost_support.METHODS, "pefrl": ("rival", 4, 0.02, 4, 10)})
     text = page(program, folder, os.path.join(folder, "docs"))
     head, rows = table_below(text, "What it costs")
@@ -230,7 +233,8 @@ def test_claims(program, folder):
 
 
 def test_goals(program, folder):
-    """Evaluations against what was wanted: met or missed, and by how much; and by everything that an error can be of."""
+    """Evaluations against what was wanted: met or missed, and by how much; and by everything that an error can be
+    of."""
     told = cost_support.write_cost(folder)
     text = page(program, folder, os.path.join(folder, "docs"))
     kinds = {method: values[0] for method, values in cost_support.METHODS.items()}
@@ -269,8 +273,8 @@ def measured(text):
 
 
 def test_first_part(program, folder):
-    """For users: five minutes, each stepper of the library once in what it keeps, and a name that is one wherever one is told to
-    take it; then the tables."""
+    """For users: five minutes, each stepper of the library once in what it keeps, and a name that is one wherever one
+    is told to take it; then the tables."""
     cost_support.write_cost(folder)
     first, behind = page(program, folder, os.path.join(folder, "docs")).split("\n# The tables behind it\n")
     assert re.findall(r"^## (.*)", first, re.M) == ["Which stepper when", "What it costs", "What it keeps, and what it does not"], first
@@ -281,16 +285,19 @@ def test_first_part(program, folder):
         with open(os.path.join(root, path), encoding="utf-8") as file:
             names += re.findall(row, file.read())
     kept = re.findall(r"`([\w-]+)`", " ".join(row[0] for row in table_below(first, "What it keeps, and what it does not")[1]))
-    assert sorted(kept) == sorted([*names, "srkn11", "--tolerance"]), (kept, names)      # srkn11 by a tolerance keeps other things
+    # srkn11 by a tolerance keeps other things
+    assert sorted(kept) == sorted([*names, "srkn11", "--tolerance"]), (kept, names)
     take = re.findall(r"`([\w-]+)`", " ".join(row[1] for row in table_below(first, "Which stepper when")[1]))
     assert set(take) <= {*names, "--tolerance"}, take
     factors = {row[0]: row[1:] for row in table_below(first.replace("A factor of ten in accuracy costs so", "## Ten\n"), "Ten")[1]}
     scene = list(cost_support.SCENES).index("chain")
-    assert factors["exact"][scene] == "3.16" and factors["SRKN11 (`srkn11`)"][scene] == "1.47", factors     # 10^(1/2), 10^(1/6)
+    # 10^(1/2), 10^(1/6)
+    assert factors["exact"][scene] == "3.16" and factors["SRKN11 (`srkn11`)"][scene] == "1.47", factors
 
 
 def test_stored_page(program, folder):
-    """docs/accuracy.md says what the generator says of how rivals were compiled, and each of its verdicts is that of its number."""
+    """docs/accuracy.md says what the generator says of how rivals were compiled, and each of its verdicts is that of
+    its number."""
     with open(os.path.join(os.path.dirname(program), "..", "docs", "accuracy.md"), encoding="utf-8") as file:
         stored = file.read()
     cost_support.write_cost(folder)
@@ -307,7 +314,8 @@ def test_stored_page(program, folder):
 
 
 def test_colours(_program, _folder):
-    """What the caption says: no family has grey or another's colours. The band takes at each error the prices at that error."""
+    """What the caption says: no family has grey or another's colours. The band takes at each error the prices at that
+    error."""
     pictures = importlib.import_module("plot.pages.work_precision")
     families = {kind: [tuple(int(colour[k:k + 2], 16) for k in (1, 3, 5)) for colour in colours]
                 for kind, colours in pictures.COLOURS.items()}
@@ -334,8 +342,8 @@ def test_colours(_program, _folder):
 
 
 def test_names(_program, _folder):
-    """Names beside a panel: alone each is where its line ends; close ones are a group around their middle, which the panel's ends
-    keep inside; and many are in their order, none over another."""
+    """Names beside a panel: alone each is where its line ends; close ones are a group around their middle, which the
+    panel's ends keep inside; and many are in their order, none over another."""
     pictures = importlib.import_module("plot.pages.work_precision")
     step = pictures.APART
     for heights, expected in (([], []), ([0.2, 0.7], [0.2, 0.7]), ([0.5, 0.5, 0.5], [0.5 - step, 0.5, 0.5 + step]),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-plot on runs: test_plot_run.py VTI-PLOT. Makes runs by formula, draws and films them and looks at what came out; then
-hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a module."""
+"""vti-plot on runs: test_plot_run.py VTI-PLOT. Makes runs by formula, draws and films them and looks at what came out;
+then hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a
+module."""
 import importlib
 import os
 import re
@@ -178,7 +179,8 @@ def test_walls(program, folder):
 
 
 def test_rest(program, folder):
-    """What rests is drawn once: panels are of the time before, and of all of it where a body, a mark or a wall moves."""
+    """What rests is drawn once: panels are of the time before, and of all of it where a body, a mark or a wall
+    moves."""
     shapes, run_file, scenery = modules("shapes", "run_file", "scenery")
     path, count = os.path.join(folder, "out.h5"), 24
 
@@ -208,7 +210,8 @@ def test_rest(program, folder):
 
 
 def test_level(program, folder):
-    """A plane that no coordinates show from the side is level in pictures: gaps, distances and attitudes are those in space."""
+    """A plane that no coordinates show from the side is level in pictures: gaps, distances and attitudes are those in
+    space."""
     level, outlines, run_file, scenery, walls = modules("level", "outlines", "run_file", "scenery", "walls")
     path = os.path.join(folder, "out.h5")
     for plane, seen in (((1, 0, 0, -1), False), ((0.6, 0, 0.8, -1), False), ((0.36, -0.48, 0.8, -1), True),
@@ -236,7 +239,8 @@ def test_level(program, folder):
 
 
 def test_plane(_program, folder):
-    """A floor is seen from the side, whichever way bodies move most; planes opposite each other are glass before them."""
+    """A floor is seen from the side, whichever way bodies move most; planes opposite each other are glass before
+    them."""
     run_file, scenery = modules("run_file", "scenery")
     path = os.path.join(folder, "out.h5")
     x, y, z = np.eye(3)
@@ -253,7 +257,8 @@ def test_plane(_program, folder):
 
 
 def test_fragments(_program, _folder):
-    """A fragment keeps its colour through all frames, its largest part after a break; no two have one while others are free."""
+    """A fragment keeps its colour through all frames, its largest part after a break; no two have one while others are
+    free."""
     scenery = importlib.import_module("plot.scenery")
 
     def frames(*fragments):
@@ -292,8 +297,8 @@ def test_varying_steps(program, folder):
 
 
 def test_scale(_program, folder):
-    """Both coordinates are written in one power of ten, near 1 in none; less a round base far from the origin, where ticks are
-    apart and name where they are. What of the walls is seen at a slant is said not to be drawn."""
+    """Both coordinates are written in one power of ten, near 1 in none; less a round base far from the origin, where
+    ticks are apart and name where they are. What of the walls is seen at a slant is said not to be drawn."""
     (shapes, run_file), path = modules("shapes", "run_file"), os.path.join(folder, "out.h5")
     write_run(path, count=5, frames=2, rows=2, walls=False)
     with h5py.File(path, "a") as file:
@@ -354,8 +359,8 @@ def test_names(program, folder):
 
 
 def test_room(_program, folder):
-    """Nothing is cut off or over something else: marks end within the window, axes of low panels have no unit that is longer than
-    they are, and what is said below a picture is no wider than it."""
+    """Nothing is cut off or over something else: marks end within the window, axes of low panels have no unit that is
+    longer than they are, and what is said below a picture is no wider than it."""
     run_file, scenery, shapes, style = modules("run_file", "scenery", "shapes", "style")
     path = os.path.join(folder, "out.h5")
     write_run(path, count=1, frames=2, rows=50)
@@ -418,8 +423,8 @@ def test_film(program, folder):
 
 
 def test_curves(_program, folder):
-    """Peaks of a single time are drawn, of energies, of momenta and of the error, whose drift is that over the whole time; each
-    layer's name has its colour; and nothing is left of a run from where it blew up."""
+    """Peaks of a single time are drawn, of energies, of momenta and of the error, whose drift is that over the whole
+    time; each layer's name has its colour; and nothing is left of a run from where it blew up."""
     (energy, energy_error, momenta, run_file), path = modules("energy", "energy_error", "momenta", "run_file"), os.path.join(folder, "out.h5")
     write_run(path)
     with h5py.File(path, "a") as file:
@@ -436,7 +441,8 @@ def test_curves(_program, folder):
     peaks = {line.get_color(): np.nanmax(line.get_ydata()) for line in axes.lines}
     assert peaks[momenta.LOOKS[0][1]] == 2.0 and 0.4 < peaks[momenta.LOOKS[1][1]] < 0.6 and peaks[momenta.LOOKS[2][1]] < 1e-12, peaks
     axes = energy_error.draw(run)[0].axes[0]
-    band = axes.collections[0].get_paths()[0].vertices[:, 1]        # from the first value, which is 1e-3 above 10, in 1e-4
+    # from the first value, which is 1e-3 above 10, in 1e-4
+    band = axes.collections[0].get_paths()[0].vertices[:, 1]
     assert "moves by $3.0\\times 10^{-4}$ ±" in axes.get_title() and "10^{-4}" in axes.get_ylabel(), (axes.get_title(), axes.get_ylabel())
     assert np.isclose(np.min(band), -2.0, 0, 0.01) and np.isclose(np.max(band), 3.0, 0, 0.01), (np.min(band), np.max(band))
     # residuals +, -, -, + have no slope: the interval is 2.1 of its standard error, sqrt(20/18/665), times the length
@@ -486,7 +492,8 @@ def figures_folder(folder):
 
 
 def test_figures(_program, folder):
-    """The page of ./dev figures: its numbers are those that the files were made with, and its verdicts follow from them."""
+    """The page of ./dev figures: its numbers are those that the files were made with, and its verdicts follow from
+    them."""
     done = plot_support.called(figures_folder(folder), "figures", folder)
     assert done.returncode == 0 and done.stderr == "", done.stderr
     with open(os.path.join(folder, "index.md"), encoding="utf-8") as file:

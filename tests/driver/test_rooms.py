@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""An effect is one room: outside drivers/effects nobody in drivers/ names one, by an identifier, a key or a column. Left out are
-drivers/check, which is a host with scenes of its own, and the pages about the shipped scenes among the pictures. No room holds
-more files than can be overseen. Sections of docs/equations.md that the sources cite are there, as are the files that it names.
-test_rooms.py ROOT VTI_RUN"""
+"""An effect is one room: outside drivers/effects nobody in drivers/ names one, by an identifier, a key or a column.
+Left out are drivers/check, which is a host with scenes of its own, and the pages about the shipped scenes among the
+pictures. No room holds more files than can be overseen. Sections of docs/equations.md that the sources cite are there,
+as are the files that it names. test_rooms.py ROOT VTI_RUN"""
 import glob
 import io
 import os

@@ -94,8 +94,8 @@ def turned(q, x):
 
 
 def bond_data(frames, bodies, xdmf, names, rows, stiffness):
-    """Energy and stretch of each bond, in VTKHDF behind zeros for the bodies, in XDMF alone, are those of the equations for the
-    trajectory's positions and attitudes, and energies add up to the binder's."""
+    """Energy and stretch of each bond, in VTKHDF behind zeros for the bodies, in XDMF alone, are those of the equations
+    for the trajectory's positions and attitudes, and energies add up to the binder's."""
     n, (moment, axial, shear) = bodies, stiffness
     i, j = numpy.array(frames[0]["Lines"]).T
     start = frames[0]["Points"][i] - frames[0]["Points"][j]
@@ -126,7 +126,8 @@ def bond_data(frames, bodies, xdmf, names, rows, stiffness):
 
 
 def walls(frames, planes, grid, diameters):
-    """A square for each plane: in it, seen counterclockwise from where the spheres are, and behind all of them at all times."""
+    """A square for each plane: in it, seen counterclockwise from where the spheres are, and behind all of them at all
+    times."""
     x = numpy.concatenate([frame["Points"] for frame in frames])
     radius = numpy.concatenate([frame["diameter"] if diameters else numpy.zeros(len(frame["Points"])) for frame in frames]) / 2
     corners = grid["Points"][grid["cells"].astype(int)]
@@ -230,8 +231,8 @@ def says(base):
 
 
 def by_a_rival(base):
-    """The files of a rival are those of a stepper, but for the modified energy, which is Verlet's, and what runs go on from. A step
-    of LAMMPS' turns and moves by the same forces: at this h both are off by less than 1e-5."""
+    """The files of a rival are those of a stepper, but for the modified energy, which is Verlet's, and what runs go on
+    from. A step of LAMMPS' turns and moves by the same forces: at this h both are off by less than 1e-5."""
     for stepper in ("exact", "lammps-richardson"):
         result = run(RUN, f"{SCENES}/chain.yaml", "--stepper", stepper, "--h", "2^-12", "--t-end", "1", "--record", "64",
                      "--frames", "512", "-o", f"{base}/{stepper}.h5")
@@ -259,7 +260,8 @@ def even_times(base):
 
 
 def many_frames(base):
-    """The index takes more room than what it leads to: of many frames only if asked for, and that of an earlier run goes."""
+    """The index takes more room than what it leads to: of many frames only if asked for, and that of an earlier run
+    goes."""
     arguments = [f"{SCENES}/pendulum.yaml", "--h", "1e-3", "--frames", "1", "--record", "100", "--no-dump", "-o", f"{base}/many.h5"]
     for end, options, there in (("2", [], False), ("1.999", [], True), ("2", [], False), ("2", ["--xdmf"], True)):
         result = run(RUN, *arguments, "--t-end", end, *options)
@@ -268,7 +270,8 @@ def many_frames(base):
 
 
 def loads_kick(base, scene, end, *fields):
-    """Step for step what --fields writes is what the run was kicked with: VTI-2 kicks by h/2 at both ends of its step."""
+    """Step for step what --fields writes is what the run was kicked with: VTI-2 kicks by h/2 at both ends of its
+    step."""
     result = run(RUN, f"{SCENES}/{scene}.yaml", "--stepper", "vti2", "--t-end", end, "--frames", "1", "--fields", ",".join(fields),
                  "-o", f"{base}/loads.h5")
     check(result.returncode == 0, f"{scene} --fields {','.join(fields)} runs {result.stderr}")
@@ -290,7 +293,8 @@ def loads_kick(base, scene, end, *fields):
 
 
 def loads_of_pile(frames):
-    """Weight, walls and contacts of all pairs by the equation, K/D (1 - r/D)^{3/2} each, that of a wall with half the diameter."""
+    """Weight, walls and contacts of all pairs by the equation, K/D (1 - r/D)^{3/2} each, that of a wall with half the
+    diameter."""
     worst, touching = 0.0, 0
     for frame in frames[::16]:
         x = frame["Points"]
@@ -343,7 +347,8 @@ def moving_walls(base):
 
 
 def odd_name(base):
-    """Whatever stands in the name of OUT.h5, OUT.xdmf is XML that says it, and what its readers would take for another file is refused."""
+    """Whatever stands in the name of OUT.h5, OUT.xdmf is XML that says it, and what its readers would take for another
+    file is refused."""
     name = "a]]> & <b>\u00e9.h5"
     result = run(RUN, f"{SCENES}/spin.yaml", "--t-end", "1", "-o", f"{base}/{name}")
     with open(f"{base}/{name[:-3]}.xdmf", "rb") as file:
@@ -366,7 +371,8 @@ def contact_flag(base):
 
 
 def notes(base):
-    """What a table may have got wrong is said at the start: the deepest overlap, and materials that friction does not ask for."""
+    """What a table may have got wrong is said at the start: the deepest overlap, and materials that friction does not
+    ask for."""
     def lines(name, table, scene):
         with open(f"{base}/{name}.csv", "w", encoding="ascii") as file:
             file.write(table)
@@ -440,8 +446,8 @@ PARTED = """x,y,z,vx,vy,vz
 
 
 def parted(base):
-    """Pairs and bodies at walls that have just parted fly freely by multistep methods, too, whose first steps go back in
-    time, where they would meet."""
+    """Pairs and bodies at walls that have just parted fly freely by multistep methods, too, whose first steps go back
+    in time, where they would meet."""
     with open(f"{base}/parted.csv", "w", encoding="ascii") as file:
         file.write(PARTED)
     with open(f"{base}/parted.yaml", "w", encoding="ascii") as file:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-run --errors: the columns error_velocity and error_omega against what steps err by and against the formula of EQUATIONS 8.1 on
-the recorded motion, where estimates jump, and the same bytes for any number of threads and after --resume.
+"""vti-run --errors: the columns error_velocity and error_omega against what steps err by and against the formula of
+EQUATIONS 8.1 on the recorded motion, where estimates jump, and the same bytes for any number of threads and after
+--resume.
                             test_run_errors.py VTI_RUN SCENES"""
 import os
 import re
@@ -35,7 +36,8 @@ def column(name, which):
     return rows[:, names.index(which)]
 
 
-# ---- the pendulum of scenes/pendulum.yaml, on its own: R' = Omega x R, Omega' = R e3 x e3 ------------------------------------
+# ---- the pendulum of scenes/pendulum.yaml, on its own: R' = Omega x R, Omega' = R e3 x e3
+# ------------------------------------
 
 
 def arm(q):
@@ -67,7 +69,8 @@ def true_errors(frames, h):
 
 
 def local_errors():
-    """The estimate is on the safe side of the error of the step from what was recorded, and of the order that it claims."""
+    """The estimate is on the safe side of the error of the step from what was recorded, and of the order that it
+    claims."""
     for stepper, order, most in (("srkn6", 4, 1e5), ("srkn11", 6, 1e5), ("an4", 5, 300)):
         largest = []
         for n in (8, 16):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-run --renumber: bodies of a table in random order; files have the table's numbers, and the motion is that of a run without.
+"""vti-run --renumber: bodies of a table in random order; files have the table's numbers, and the motion is that of a
+run without.
                             test_run_renumber.py VTI_RUN"""
 import os
 import random

@@ -137,7 +137,8 @@ def one_stem(base):
     """out.h5 and out.hdf5 would share out.csv, out.xdmf and out.dump."""
     with subprocess.Popen([RUN, scene("torus"), "--t-end", "1000", "--checkpoint", "0.02", "-o", f"{base}/out.h5"],
                           stdout=subprocess.DEVNULL) as process:
-        while process.poll() is None and size_of(f"{base}/out.run") == 0:  # before, the other one may be the first to lock it
+        # before, the other one may be the first to lock it
+        while process.poll() is None and size_of(f"{base}/out.run") == 0:
             time.sleep(0.0005)
         result = run(RUN, scene("torus"), "--t-end", "0.1", "-o", f"{base}/out.hdf5")
         check(result.returncode == 1 and one_line(result, "another vti-run"), f"two endings: {result.stderr.strip()}")
@@ -180,8 +181,8 @@ def signals(base):
 
 
 def stopped(arguments, seconds):
-    """A run that SIGTERM is sent so many seconds after its first line, before which it hears none, and SIGKILL 20 later: its code, and
-    what it says on either stream."""
+    """A run that SIGTERM is sent so many seconds after its first line, before which it hears none, and SIGKILL 20
+    later: its code, and what it says on either stream."""
     with subprocess.Popen([RUN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
         first = process.stdout.readline()
@@ -195,7 +196,8 @@ def stopped(arguments, seconds):
 
 
 def far_from_multiples(base):
-    """Within a step of h of millions of shorter ones a run cannot end: a signal that comes again some seconds later ends it."""
+    """Within a step of h of millions of shorter ones a run cannot end: a signal that comes again some seconds later
+    ends it."""
     with subprocess.Popen([RUN, scene("spin"), "--stepper", "kl8", "--control", "integrating", "--set", "turning=2e-8", "--h", "4096",
                            "--t-end", "8192", "-o", f"{base}/out.h5"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                           preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
@@ -212,8 +214,8 @@ def far_from_multiples(base):
 
 
 def between_rows(base):
-    """Steps of variable length whose rows are hours apart: signals and checkpoints do not wait for them, and the bytes and what is
-    said of the steps are those of a run that nobody stopped."""
+    """Steps of variable length whose rows are hours apart: signals and checkpoints do not wait for them, and the bytes
+    and what is said of the steps are those of a run that nobody stopped."""
     for number, case in enumerate((("srkn11", "--tolerance", "1e-12", "--errors"), ("srkn6", "--control", "integrating"),
                                    ("srkn6", "--control", "naive"))):
         stem, far = f"{base}/{number}/out", str(2**33)
@@ -272,7 +274,8 @@ def interrupted(folder):
 
 
 def prolonged(base):
-    """A run whose end time is moved: as if it had been asked for so from the start, with the same steps between records."""
+    """A run whose end time is moved: as if it had been asked for so from the start, with the same steps between
+    records."""
     arguments = interrupted(f"{base}/longer")
     result = run(RUN, *[word if word != "0.25" else "0.4" for word in arguments], "--resume")
     run(RUN, scene("torus"), "--t-end", "0.4", "--record", "7", "--frames", "4", "-o", f"{base}/asked/out.h5")
@@ -281,7 +284,8 @@ def prolonged(base):
 
 
 def fields(base):
-    """Forces are made as files are written: of a run that was prolonged, too, and off unless asked for, all else being the same."""
+    """Forces are made as files are written: of a run that was prolonged, too, and off unless asked for, all else being
+    the same."""
     start = [scene("pile"), "--frames", "8", "--record", "8"]
     ends = [[*start, "--t-end", end, "-o", f"{base}/{name}/out.h5"] for end, name in (("1/4", "whole"), ("1/8", "two"), ("1/4", "two"))]
     for arguments, more in zip(ends, ([], [], ["--resume"])):
@@ -296,20 +300,22 @@ def fields(base):
 
 
 def continued(base):
-    """A run that is complete goes on from its end: as if it had been asked for the later end from the start, with the rows and
-    frames that it has; three times over, from out.h5 alone."""
+    """A run that is complete goes on from its end: as if it had been asked for the later end from the start, with the
+    rows and frames that it has; three times over, from out.h5 alone."""
     with open(f"{base}/bodies.csv", "w", encoding="ascii") as file:
         file.write("x,y,z,vx,vy,vz,mass\n0,0,0,1,0,0,1\n3,0,0,0,0,0,2\n")
     with open(f"{base}/table.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {table: bodies.csv, diameter: 1}\ncontact: {stiffness: 100}\nh: 1/256\nt_end: 1\n")
-    with open(f"{base}/lattice.yaml", "w", encoding="ascii") as file:  # its checkpoint fills more than one piece of the journal
+    # its checkpoint fills more than one piece of the journal
+    with open(f"{base}/lattice.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {lattice: {counts: [16, 16, 16], spacing: 1}, mass: 1, inertia: 0.1, omega: [0.1, 0.2, 0.3]}\n"
                    "binder: {moment: 10, axial: 200, shear: {stiffness: 200}}\nh: 1/128\nt_end: 1\n")
     even = ["--h", "1e-3"]  # rows and frames every 0.005 and 0.05 for any of these ends
     cases = [("torus", "vti2", ["--record", "7", "--frames", "32"], ("0.1", "0.25", "0.4")),
              ("pendulum", "vti3-leapfrog", even, ("4", "4.5", "5")), ("pendulum", "srkn6", [], ("1/4", "1", "2")),
              ("torus", "an4", ["--record", "7", "--frames", "32"], ("0.002", "0.1", "0.25")),  # from within its start
-             # steps by a tolerance: the first end is no multiple of rows and frames, and cuts a step that none of one run is
+             # steps by a tolerance: the first end is no multiple of rows and frames, and cuts a step that none of one
+             # run is
              ("torus", "srkn11", ["--record", "64", "--frames", "64", "--tolerance", "1e-6", "--errors", "--h", "1/256"], ("62/256", "1/4", "0.6")),
              ("pendulum", "srkn6", ["--record", "16", "--frames", "32", "--control", "integrating", "--h", "1/4"], ("47/4", "16", "20")),
              ("spin", "vti1", [*even, "--no-dump"], ("4", "5")), (f"{base}/table", "exact", [], ("1/3", "2")),
@@ -375,7 +381,8 @@ def refused_ends(base):
 
 
 def completed(base):
-    """What a complete run lacks of the files and fields that are asked for is made by --resume, and nothing else changes."""
+    """What a complete run lacks of the files and fields that are asked for is made by --resume, and nothing else
+    changes."""
     whole = [scene("torus"), "--t-end", "0.1", "-o"]
     run(RUN, *whole, f"{base}/plain/out.h5")
     run(RUN, *whole, f"{base}/force/out.h5", "--fields", "force")
@@ -401,7 +408,8 @@ def completed(base):
 
 
 def prolonged_and_killed(base):
-    """A complete run that goes on and is killed before its first checkpoint: it is no other run's to replace, and goes on."""
+    """A complete run that goes on and is killed before its first checkpoint: it is no other run's to replace, and goes
+    on."""
     arguments = [scene("pendulum"), "--stepper", "vti2", "--record", "16", "--frames", "64", "-o", f"{base}/out.h5"]
     run(RUN, *arguments, "--t-end", "2")
     before = contents(f"{base}/out")

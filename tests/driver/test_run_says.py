@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vti-run says beside its results: what of a scene and its tables nothing goes by (as vti-study and vti-advise do), how much
+"""What vti-run says beside its results: what of a scene and its tables nothing goes by (as vti-study and vti-advise
+do), how much
 disk it takes, how far it is.      test_run_says.py VTI_RUN VTI_STUDY VTI_ADVISE SCENES"""
 import glob
 import json

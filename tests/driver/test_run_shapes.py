@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What files and pictures show of bodies that are no spheres: ellipsoids as tensors, shapes and outlines, clumps as spheres.
-test_run_shapes.py VTI_RUN VTI_PLOT"""
+"""What files and pictures show of bodies that are no spheres: ellipsoids as tensors, shapes and outlines, clumps as
+spheres. test_run_shapes.py VTI_RUN VTI_PLOT"""
 import os
 import sys
 import tempfile
@@ -83,7 +83,8 @@ def ellipsoids(folder):
     check("radius" not in dump and near(shape, numpy.tile(2 * HALF, (len(tensors), 1))), "the dump has them, too")
     shown = turn(stacked(dump, "quati", "quatj", "quatk", "quatw"))
     check(near(shown @ numpy.diag(2 * HALF) @ numpy.swapaxes(shown, -1, -2), tensors), "... and the same ellipsoids")
-    reach, bounds = numpy.sqrt(numpy.einsum("ijj->ij", tensors @ tensors)) / 2, box(folder, "ellipsoids")  # half of |E e_j|
+    # half of |E e_j|
+    reach, bounds = numpy.sqrt(numpy.einsum("ijj->ij", tensors @ tensors)) / 2, box(folder, "ellipsoids")
     check((data["Points"] - reach >= bounds[:, 0]).all() and (data["Points"] + reach <= bounds[:, 1]).all(), "... in a box that holds them")
 
 
@@ -130,8 +131,9 @@ def spheres_alone(folder):
 
 
 def bonded_spheres(folder):
-    """Four dumbbells, of which two are bonded by the spheres that face each other. One of these turns against the other, about their
-    line, by more than half a turn: lines join the bodies, energies are those of the rows, and the bond that has turned is counted."""
+    """Four dumbbells, of which two are bonded by the spheres that face each other. One of these turns against the
+    other, about their line, by more than half a turn: lines join the bodies, energies are those of the rows, and the
+    bond that has turned is counted."""
     path = os.path.join(folder, "bonded")
     for name, text in (("bonds.csv", "i,j\n2,1\n"),
                        ("dumbbells.csv", "x,y,z,omega_x,omega_y,omega_z\n0,0,0,4,0,0\n5,0,0,0,0,0\n10,0,0,0,0,0\n15,0,0,0,0,0\n"), ("bonded.yaml", """bodies: {table: dumbbells.csv, mass: 2, random: {seed: 4, v: 0.1},

@@ -24,7 +24,8 @@ h: 2^-8
 t_end: 1
 """
 
-# A block of bonded spheres that overlap breaks on a wall: lists change, and what has broken touches at the distance that it has then.
+# A block of bonded spheres that overlap breaks on a wall: lists change, and what has broken touches at the distance
+# that it has then.
 BREAKING = """name: breaking
 bodies: {lattice: {counts: [4, 4, 6], spacing: 0.9, corner: [1, 0, 0]}, mass: 1, diameter: 1, v: [-4, 0, 0],
          random: {seed: 3, v: 0.5, omega: 1.5}}
@@ -68,8 +69,8 @@ h: 2^-9
 t_end: 1
 """
 
-# Tetrapods of all attitudes and single spheres, some bonded sphere to sphere, collide in a viscous medium and on a wall: a slice has the
-# spheres of its own bodies.
+# Tetrapods of all attitudes and single spheres, some bonded sphere to sphere, collide in a viscous medium and on a
+# wall: a slice has the spheres of its own bodies.
 BONDS = "i,j\n0,4\n2,6\n9,13\n14,16\n"
 CLUMPS = """name: clumps
 bodies: {lattice: {counts: [3, 2, 3], spacing: 2.2, corner: [0, 0, 1.6]}, random: {seed: 3, v: 2, omega: 2, alpha: 3},
@@ -87,8 +88,8 @@ h: 2^-8
 t_end: 1
 """
 
-# So many bodies that dashpots and friction go by chunks: a block that slides, settles and is pushed about by a plane that turns. It
-# breaks where it overlaps, as above.
+# So many bodies that dashpots and friction go by chunks: a block that slides, settles and is pushed about by a plane
+# that turns. It breaks where it overlaps, as above.
 CHUNKS = """name: chunks
 bodies: {lattice: {counts: [13, 8, 10], spacing: 0.99, corner: [0, 0, 0.49]}, diameter: 1, mass: 1, v: [0.5, 0, 0],
          random: {seed: 3, v: 1, omega: 1}}
@@ -126,7 +127,8 @@ def same_bytes(scene, base, *options):
 
 
 def books(scene, base):
-    """What bodies have lost adds up to the columns of out.csv, which are what they are without; out.h5 is that of same_bytes."""
+    """What bodies have lost adds up to the columns of out.csv, which are what they are without; out.h5 is that of
+    same_bytes."""
     name = os.path.basename(scene)
     plain = files(scene, os.path.join(base, name + "-plain"), 2, "--t-end", "1")
     with h5py.File(os.path.join(base, name + "-1", "out.h5")) as file:

@@ -101,8 +101,8 @@ TEST(drag_on_spheres)
     }
 }
 
-/** One step of 2, which is enough where flows are exact: of spheres, and of a dumbbell that moves and turns along its axis
- *  alone. The ledger closes to rounding. */
+/** One step of 2, which is enough where flows are exact: of spheres, and of a dumbbell that moves and turns along its
+ *  axis alone. The ledger closes to rounding. */
 static void slow_down(const char *text, struct scene *scene, struct model *model)
 {
     make_model(text, scene, model);
@@ -111,8 +111,8 @@ static void slow_down(const char *text, struct scene *scene, struct model *model
     assert_close(model_energy(model, &model->bodies) + vti_booked(model->effects, 1), energy, 100 * EPS * energy);
 }
 
-/** Each sphere by its own diameter, as a body and in a clump: Stokes' c = 3 pi mu D and pi mu D^3, Newton's k = pi/8 C_D
- *  rho D^2, under which v0/v = 1 + k v0 t/m; exponents and quotients to some ten roundings. */
+/** Each sphere by its own diameter, as a body and in a clump: Stokes' c = 3 pi mu D and pi mu D^3, Newton's k = pi/8
+ *  C_D rho D^2, under which v0/v = 1 + k v0 t/m; exponents and quotients to some ten roundings. */
 TEST(drag_by_diameters)
 {
     static const double D[2] = {2.0, 1.0}, m[2] = {3.0, 0.5};
@@ -383,8 +383,8 @@ TEST(bonded_spheres_of_one_are_bonded_bodies)
     "bodies: {table: b.csv, mass: 2, clumps: {spheres: [[-1, 0, 0, 1], [1, 0, 0, 1.2]]}}\n"                            \
     "binder: {table: bonds.csv, on: spheres, "
 
-/** Two dumbbells on a line, joined by the spheres that face each other: L0 = 3, k = K/L0^2 = 1, reduced mass 1. Velocity
- *  Verlet has s = v h sin(n w)/sin w of it, 4 sin^2(w/2) = h^2. Bonds end where spheres are, not bodies. */
+/** Two dumbbells on a line, joined by the spheres that face each other: L0 = 3, k = K/L0^2 = 1, reduced mass 1.
+ *  Velocity Verlet has s = v h sin(n w)/sin w of it, 4 sin^2(w/2) = h^2. Bonds end where spheres are, not bodies. */
 TEST(a_bond_between_spheres)
 {
     const double h = 1.0 / 16.0, w = 2.0 * asin(0.5 * h);
@@ -418,7 +418,8 @@ TEST(bonds_between_spheres_begin_at_rest)
     model_destroy(&model);
 }
 
-/** Aslant, with all terms: momenta to rounding, the energy to second order. What is bonded is no contact, all else is. */
+/** Aslant, with all terms: momenta to rounding, the energy to second order. What is bonded is no contact, all else
+ *  is. */
 TEST(bonds_between_spheres_keep)
 {
     double error[2];

@@ -8,13 +8,13 @@
 static const char *folder;
 
 /** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; dzhanibekov and slender
- *  half the sum of A Omega_x^2 and so on; heavy-top 12^2/8 + 1/2; pendulum 0.04 + 1/sqrt(2)
- *  (EQUATIONS 3); incline m g z; billiards sixteen of m v^2/2; column, from Python: sum of 9.81 m z and of 2/5 K (1
+ *  half the sum of A Omega_x^2 and so on; heavy-top 12^2/8 + 1/2; pendulum 0.04 + 1/sqrt(2) (EQUATIONS 3); incline m g
+ *  z; billiards sixteen of m v^2/2; column, from Python: sum of 9.81 m z and of 2/5 K (1
  *  - r/D)^{5/2}; chain, pair, pile, heap and drum, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its
  *  own splitmix64, and for the last three sum of 9.81 m z; so ellipsoid-chain, and clump-pile with mass and moment
- *  of its tetrapods from integrals over spheres less lenses, from which 256 lines differ by 2e-4. error bounds |E - E_0|/E_0 over steps of h: twice what
- *  was measured; that it is the error of a method of second order is what the test looks at. Of the spin nothing
- *  changes, so that it has no error at all. */
+ *  of its tetrapods from integrals over spheres less lenses, from which 256 lines differ by 2e-4. error bounds |E -
+ *  E_0|/E_0 over steps of h: twice what was measured; that it is the error of a method of second order is what the test
+ *  looks at. Of the spin nothing changes, so that it has no error at all. */
 static const struct {
     const char *name;
     const char *effects;

@@ -29,8 +29,9 @@ static double bound_within(void)
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
 
 struct watch {
-    double zero, start,
-        most;      /* energies: at rest, at the start over that, and the largest over that in units of start */
+    double zero;   /* energy at rest */
+    double start;  /* energy at the start, over zero */
+    double most;   /* largest energy over zero, in units of start */
     int64_t every; /* steps between limits; 0: none */
     double limit;  /* the least */
 };
@@ -139,8 +140,9 @@ TEST(in_flight)
     }
 }
 
-/** A bead at rest that touches a slope: the weight takes it in by up to o, m g D o = 2/5 K o^(5/2), and what holds it there
- *  bounds the step, though nothing has energy at first. Each of 16 turns leaves 2/5 of what log(o) is off by, 10 at first. */
+/** A bead at rest that touches a slope: the weight takes it in by up to o, m g D o = 2/5 K o^(5/2), and what holds it
+ *  there bounds the step, though nothing has energy at first. Each of 16 turns leaves 2/5 of what log(o) is off by, 10
+ *  at first. */
 TEST(at_rest_on_a_slope)
 {
     open_scene(folder, "incline", &scene, &model);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-study as a user runs it: the paper's numbers, the orders, the same bytes for any number of ranks, and every kind of
+"""vti-study as a user runs it: the paper's numbers, the orders, the same bytes for any number of ranks, and every kind
+of
 bad input.      test_study.py VTI_STUDY MPIRUN"""
 import csv
 import os
@@ -42,8 +43,8 @@ def paper_numbers(folder):
 
 
 def orders(folder, what):
-    """EQUATIONS 4: E 2, 2, 1; q 1, 1, 1/2; true 2, 2, 1; with half kicks VTI-3 is 2, 1, 2. Each inside its interval, and the
-    interval narrow enough to tell one order from another."""
+    """EQUATIONS 4: E 2, 2, 1; q 1, 1, 1/2; true 2, 2, 1; with half kicks VTI-3 is 2, 1, 2. Each inside its interval,
+    and the interval narrow enough to tell one order from another."""
     expected = {"vti1": (2, 1, 2, 2), "vti2": (2, 1, 2, 2), "vti3": (1, 0.5, 1, 1), "vti3-leapfrog": (2, 1, 2, 2)}
     measures = ["e_error", "q_error", "h1_error", "attitude_error"]
     with h5py.File(os.path.join(folder, "study.h5")) as file:
@@ -172,7 +173,8 @@ def without_orders(base):
 
 
 def stiff_energies(base):
-    """Energies of a stiff scene are not known to rounding of 1, and of what is left of their errors no order is told."""
+    """Energies of a stiff scene are not known to rounding of 1, and of what is left of their errors no order is
+    told."""
     with open(f"{base}/stiff.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {chain: {count: 3, spacing: 1}, mass: 1, random: {seed: 3, v: 0.3, omega: 1}}\n"
                    "binder: {axial: 1e6, moment: 1, shear: {stiffness: 10}}\nh: 1e-3\nt_end: 0.5\n")
@@ -231,8 +233,8 @@ def unheard(base):
 
 
 def at_rest(base):
-    """Bodies that rest in the origin: all norms and scales are 0, nothing changes, and no error is 0/0; of many, whose reference
-    is known at intervals, too."""
+    """Bodies that rest in the origin: all norms and scales are 0, nothing changes, and no error is 0/0; of many, whose
+    reference is known at intervals, too."""
     for count in (2, 60):
         with open(f"{base}/rest.csv", "w", encoding="ascii") as file:
             file.write("x,y,z,mass\n" + count * "0,0,0,1\n")
@@ -244,8 +246,9 @@ def at_rest(base):
 
 
 def far_from_the_origin(base):
-    """Small, light and stiff bodies, whose forces change with the last bit of a position by more than any tolerance: the reference
-    comes to an end, and is known as well as it says: methods of high order, whose own errors are rounding, come that near."""
+    """Small, light and stiff bodies, whose forces change with the last bit of a position by more than any tolerance:
+    the reference comes to an end, and is known as well as it says: methods of high order, whose own errors are
+    rounding, come that near."""
     with open(f"{base}/far.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {chain: {count: 10, spacing: 1e-3}, mass: 1e-6, random: {seed: 7, v: 0.01, omega: 5}}\n"
                    "binder: {axial: 1, moment: 0.1}\nh: 1e-7\nt_end: 1e-4\n")
@@ -262,7 +265,8 @@ def far_from_the_origin(base):
 
 
 def rivals(base):
-    """They stand beside ours in every table, with the orders of the literature; the same bytes on any number of ranks."""
+    """They stand beside ours in every table, with the orders of the literature; the same bytes on any number of
+    ranks."""
     steppers = ("exact", 2), ("lammps-richardson", 2), ("yade-leapfrog", 2), ("rk4", 4)
     for ranks in (1, 3):
         study(ranks, "--h", "2^-4:2^-9", "--steppers", ",".join(name for name, order in steppers), folder=f"{base}/rivals{ranks}")
@@ -308,8 +312,8 @@ def keeps_what_was_there(base):
 
 
 def known_as_well(base):
-    """The middle axis of a body turns errors of a step into many times as much: the reference says so, and what is below
-    has no order."""
+    """The middle axis of a body turns errors of a step into many times as much: the reference says so, and what is
+    below has no order."""
     scene = os.path.join(os.path.dirname(CHAIN), "dzhanibekov.yaml")
     done = study(2, scene, "--h", "1/64,1/128,1/256", "--steppers", "srkn11", folder=f"{base}/known")
     with h5py.File(f"{base}/known/study.h5") as file:
@@ -342,8 +346,8 @@ def when_compared(base):
 
 
 def in_other_units(base):
-    """Grains of a micrometre in SI units, and the same in micrometres: solutions known as well, errors the same shares, of
-    contacts (GSL's states at intervals) and of bonds (panels)."""
+    """Grains of a micrometre in SI units, and the same in micrometres: solutions known as well, errors the same shares,
+    of contacts (GSL's states at intervals) and of bonds (panels)."""
     touch = "contact: {young: %g, poisson: 0.3}\nwall: {young: %g, poisson: 0.3, planes: [[0, 0, 1, %g]]}\nh: 1/64\nt_end: 10\n"
     bond = "binder: {axial: %g}\nh: 1/64\nt_end: 2\n"
     for name, si, scaled in (("touch", touch % (1e-3, 1e-3, -0.52e-6), touch % (1e9, 1e9, -0.52)),

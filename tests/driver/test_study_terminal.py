@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-study as a person at a terminal sees it, under mpirun: what will be done, a bar with the time left for the reference and for
+"""vti-study as a person at a terminal sees it, under mpirun: what will be done, a bar with the time left for the
+reference and for
 the runs, and how Ctrl-C and signals end it.      test_study_terminal.py VTI_STUDY MPIRUN SCENES RANKS.SH"""
 import fcntl
 import os
@@ -20,8 +21,8 @@ from tally import check, conclude
 
 STUDY, MPIRUN, SCENES, RANKS = map(os.path.abspath, sys.argv[1:5])
 CHAIN, PENDULUM, TORUS = (os.path.join(SCENES, name + ".yaml") for name in ("chain", "pendulum", "torus"))
-# What Open MPI 5 does otherwise: its mpirun passes on whole lines only; what it says itself after a code that is not 0 cannot be
-# held back.
+# What Open MPI 5 does otherwise: its mpirun passes on whole lines only; what it says itself after a code that is not 0
+# cannot be held back.
 MAJOR = int(re.search(r"\(Open.*?\) (\d+)", run(MPIRUN, "--version").stdout)[1])
 del ENVIRONMENT[programs.GRACE]  # ranks that are asked to end say a word
 PASSES_PIECES = CAN_BE_QUIET = MAJOR < 5
@@ -29,7 +30,8 @@ HOURS = ("--h", "2^-9:2^-27", "--no-plot")
 HOURS_TO_COMPARE = ("--h", "1e6", "--t-end", "1e6", "--no-plot")  # the reference of the only interval takes as long
 SECONDS = ("--h", "2^-4:2^-15", "--no-plot")  # a bar is drawn ten times per second at most
 
-HOURS_OF_FEW = ("--h", "1/16", "--t-end", "40", "--steppers", "srkn6", "--set", "tolerance=1e-16", "--no-plot")  # 640 steps of h
+# 640 steps of h
+HOURS_OF_FEW = ("--h", "1/16", "--t-end", "40", "--steppers", "srkn6", "--set", "tolerance=1e-16", "--no-plot")
 
 
 class Terminal:
@@ -136,8 +138,8 @@ def stopped_words(said):
 
 
 def asked_by(base, what, waits_for, *arguments):
-    """Ctrl-C to mpirun, which kills its ranks a second after it has told them to end, and passes on no word any more: they say it
-    to its terminal. A busy machine may not let them within the second, and is asked again."""
+    """Ctrl-C to mpirun, which kills its ranks a second after it has told them to end, and passes on no word any more:
+    they say it to its terminal. A busy machine may not let them within the second, and is asked again."""
     for attempt in range(3):
         terminal = Terminal(*mpirun(*arguments, "-o", f"{base}/{attempt}"))
         begun = terminal.until(waits_for)
@@ -150,7 +152,8 @@ def asked_by(base, what, waits_for, *arguments):
 
 def ctrl_c(base):
     asked_by(base + "/runs", "Ctrl-C in runs of hours", "runs [", *HOURS, CHAIN)
-    # MALLOC_PERTURB_ of Meson writes all over what is allocated: a gigabyte takes more than the second on a busy machine
+    # MALLOC_PERTURB_ of Meson writes all over what is allocated: a gigabyte takes more than the second on a busy
+    # machine
     asked_by(base + "/reference", "Ctrl-C in a reference of hours", "reference [", "--t-end", "1e7", "--h", "1", "--memory", "10",
              "--no-plot", PENDULUM)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-study's reference in windows of bounded memory, against closed forms of a free spin, at which every quantity is known:
-with |Omega| = 1 from alpha = 0 the angle is t, folded into [0, pi]; VTI-2 turns by 2 atan(h/2) a step.
+"""vti-study's reference in windows of bounded memory, against closed forms of a free spin, at which every quantity is
+known: with |Omega| = 1 from alpha = 0 the angle is t, folded into [0, pi]; VTI-2 turns by 2 atan(h/2) a step.
                             test_study_windows.py VTI_STUDY MPIRUN SCENES"""
 import csv
 import math
@@ -76,7 +76,8 @@ def same_bytes(base):
 
 
 def two_solutions(base):
-    """Of the torus, whose reference two ranks make together where there are two: 100 states in more than one message."""
+    """Of the torus, whose reference two ranks make together where there are two: 100 states in more than one
+    message."""
     for ranks in (1, 2, 3):
         study(ranks, TORUS, "--h", "1/1000", "--t-end", "0.1", "-o", f"{base}/torus{ranks}")
     found = [contents(f"{base}/torus{ranks}", ("timing.csv",)) for ranks in (1, 2, 3)]
@@ -91,7 +92,8 @@ t_end: 4
 
 
 def peak_memory(*arguments):
-    """kB that a study takes at most, alone. Where that is less than what this program takes, the system tells the latter."""
+    """kB that a study takes at most, alone. Where that is less than what this program takes, the system tells the
+    latter."""
     with subprocess.Popen([STUDY, "--no-plot", "--steppers", "vti2", "--h", "4", *arguments], env=ENVIRONMENT,
                           stdout=subprocess.DEVNULL) as process:
         _, status, usage = os.wait4(process.pid, 0)

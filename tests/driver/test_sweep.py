@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-study --sweep: each point has the bytes of a study of its own, any number of ranks gives the same, means and spreads
-are those of the rows, what fails is a row, what is wrong is said before the start, an interrupted sweep goes on, what
+"""vti-study --sweep: each point has the bytes of a study of its own, any number of ranks gives the same, means and
+spreads are those of the rows, what fails is a row, what is wrong is said before the start, an interrupted sweep goes
+on, what
 is edited meanwhile changes no point, and memory does not grow with the points.      test_sweep.py VTI_STUDY MPIRUN SCENES"""
 import csv
 import os
@@ -196,8 +197,8 @@ def refused(base):
 
 
 def interrupted(base):
-    """Killed on the way, on other ranks again, and once more by a signal: the bytes of one that nobody disturbed. What is done
-    is kept every half second: it takes longer than that."""
+    """Killed on the way, on other ranks again, and once more by a signal: the bytes of one that nobody disturbed. What
+    is done is kept every half second: it takes longer than that."""
     arguments = [PENDULUM, "--sweep", "pendulum.weight=1:2:1/64", "--h", "2^-9:2^-11", "--t-end", "60", "--steppers", "vti2"]
     study(2, *arguments, folder=f"{base}/whole")
     for ending in (signal.SIGKILL, signal.SIGTERM):
@@ -228,8 +229,9 @@ def start(folder, done, *arguments):
 
 
 def edited(base):
-    """What scenes and tables say when it begins counts at all points. A scene may be edited while it runs; a table that is, or that
-    cannot be read for a while, ends it, and with what it was the sweep goes on to the bytes of one that nobody disturbed."""
+    """What scenes and tables say when it begins counts at all points. A scene may be edited while it runs; a table that
+    is, or that cannot be read for a while, ends it, and with what it was the sweep goes on to the bytes of one that
+    nobody disturbed."""
     with open(CHAIN, encoding="ascii") as file:
         scene = file.read()
     arguments = ["--h", "1/64,1/128", "--t-end", "5", "--steppers", "vti2", "--sweep", "bodies.random.seed=1:60"]

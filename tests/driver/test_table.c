@@ -209,7 +209,8 @@ static const struct {
      "b.csv: has columns x, y, z; a pendulum hangs bodies on fixed pivots, where they cannot translate"},
     {"bodies: {mass: 1, inertia: 1, chain: {count: 2, spacing: 1}}\nbinder: {table: c.csv}\n", "", "i,j,axial\n0,2,1\n",
      "c.csv:2: j: '2' is not a body; there are 2, counted from 0"},
-    /* what is too small to divide by, whatever it follows from; mass of bodies that do not translate is not looked at */
+    /* what is too small to divide by, whatever it follows from; mass of bodies that do not translate is not looked
+     * at */
     {"bodies: {mass: 1e-320, chain: {count: 2, spacing: 1}}\n", "", "",
      "t: bodies.mass: '1e-320' is too small to divide by; choose units in which it is larger"},
     {"bodies: {table: b.csv}\n", "x,y,z,mass\n0,0,0,1\n1,0,0,1e-309\n", "",

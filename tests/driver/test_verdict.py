@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The verdict as the programs give it: one last line, attributes, columns, the code 3 apart from `complete`; the same bytes after
+"""The verdict as the programs give it: one last line, attributes, columns, the code 3 apart from `complete`; the same
+bytes after
 --resume.                                                             test_verdict.py VTI_RUN VTI_STUDY MPIRUN SCENES"""
 import csv
 import os
@@ -50,7 +51,8 @@ t_end: 60
 """
 
 
-# c/m is 20: a sphere that is too heavy to turn slides down a plane with the speed g_x m/c, and a bond creeps to its length.
+# c/m is 20: a sphere that is too heavy to turn slides down a plane with the speed g_x m/c, and a bond creeps to its
+# length.
 SLIDE = """bodies: {x: [0, 0, 0.40582], v: [0, 0, 0], mass: 1, diameter: 1, inertia: 1e12}
 wall: {stiffness: 60, planes: [[0, 0, 1, 0]]}
 dashpot: {tangential: 20}
@@ -83,7 +85,8 @@ def verdict(base, scene, *options):
 
 
 def pushed(base):
-    """What drag slows within a step settles too fast; what walls press together holds the energy that they have put in."""
+    """What drag slows within a step settles too fast; what walls press together holds the energy that they have put
+    in."""
     scene = f"{base}/settle.yaml"
     for h, word in (("0.001", "good"), ("0.01", "doubtful"), ("0.1", "doubtful")):
         _, lines, found = verdict(base, scene, "--h", h)
@@ -95,9 +98,9 @@ def pushed(base):
 
 
 def slowed(base):
-    """What nothing pushes is slowed as it should be by any h, and its ways and angles, sums of velocities in the middle of steps,
-    are not: (z/2)/sinh(z/2) of themselves, or z/(exp(z) - 1) where the kick is whole, and chin4's velocities are those of a sixth
-    and of five sixths of the step."""
+    """What nothing pushes is slowed as it should be by any h, and its ways and angles, sums of velocities in the middle
+    of steps, are not: (z/2)/sinh(z/2) of themselves, or z/(exp(z) - 1) where the kick is whole, and chin4's velocities
+    are those of a sixth and of five sixths of the step."""
     halves, whole = (lambda z: z / 2 / numpy.sinh(z / 2)), (lambda z: z / numpy.expm1(z))
     sixths = (lambda z: z / 2 * numpy.cosh(z / 3) / numpy.sinh(z / 2))
     for stepper, h, law, word in (("vti2", 0.5, halves, "doubtful"), ("vti2", 0.06, halves, "doubtful"), ("exact", 0.05, halves, "good"),
@@ -119,8 +122,8 @@ def slowed(base):
 
 
 def damped(base):
-    """Dashpots slow as drag does: what they let through moves (z/2) coth(z/2) times too fast, z = h c/m. Of a bond, whose c is 10
-    and m_n 1/2, m_n s'' = -s - c s', and a step leaves 1 - h/c times that of s."""
+    """Dashpots slow as drag does: what they let through moves (z/2) coth(z/2) times too fast, z = h c/m. Of a bond,
+    whose c is 10 and m_n 1/2, m_n s'' = -s - c s', and a step leaves 1 - h/c times that of s."""
     creep = 10 - 98 ** 0.5
     zeta = ("--set", "bond_dashpot.axial=0", "--set", f"bond_dashpot.zeta={50 ** 0.5}")
     for scene, h, word, *options in (("slide", 0.03, "good"), ("slide", 0.12, "doubtful"), ("creep", 0.025, "good"),

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The trajectory of vti-run as ParaView sees it: VTK's own readers of VTKHDF and XDMF find what run_support's reader finds.
-`./dev test` fetches VTK into VENV; where there is none that knows PolyData over time (VTK 9.3 does), exit status 77
+"""The trajectory of vti-run as ParaView sees it: VTK's own readers of VTKHDF and XDMF find what run_support's reader
+finds. `./dev test` fetches VTK into VENV; where there is none that knows PolyData over time (VTK 9.3 does), exit status
+77
 (skipped).      test_vtk.py VTI_RUN SCENES VENV"""
 import os
 import sys
@@ -38,8 +39,8 @@ READERS = {".h5": vtkHDFReader, ".xdmf": vtkXdmfReader}
 
 
 def read(path, ending, grid=0):
-    """Frames as run_support's readers return them, with the points of that grid; which of them the cells of the XDMF index join is
-    left to those."""
+    """Frames as run_support's readers return them, with the points of that grid; which of them the cells of the XDMF
+    index join is left to those."""
     reader, frames = READERS[ending](), []
     reader.SetFileName(path)
     reader.UpdateInformation()
@@ -91,8 +92,8 @@ for scene, *options in CASES:
                   f"{scene}{ending}: VTK finds the same {len(frames)} frames of {' '.join(data + more)}")
 
 def one_glyph():
-    """An arrow along x that a body turned by a quarter about z holds points along y, by VTK's quaternions (w first) as by its
-    vectors."""
+    """An arrow along x that a body turned by a quarter about z holds points along y, by VTK's quaternions (w first) as
+    by its vectors."""
     scene = "bodies: {alpha: [0, 0, 2], omega: [0, 0, 1e-9], inertia: 1}\nstepper: vti2\nh: 1\nt_end: 2\n"
     with tempfile.TemporaryDirectory() as folder:
         with open(f"{folder}/quarter.yaml", "w", encoding="ascii") as file:

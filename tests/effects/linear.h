@@ -21,8 +21,8 @@ static inline vec linear_over(const uneven *m, int i, vec a, int per)
     const double once[3] = {(double)a.c[0], (double)a.c[1], (double)a.c[2]};
     double low[3], r[3], s[3];
     vec sum;
-    for (int k = 0; k < 3;
-         ++k) /* what double leaves out, so that the system is known to more digits than the library */
+    /* what double leaves out, so that the system is known to more digits than the library */
+    for (int k = 0; k < 3; ++k)
         low[k] = (double)(a.c[k] - once[k]);
     uneven_times(m, i, per, once, r);
     uneven_times(m, i, per, low, s);
@@ -130,9 +130,9 @@ static inline void linear_state(const uneven *m, vec y[4])
     }
 }
 
-/** The flow of the one effect of two bodies, of which at says the same: the exponential of the whole system, whose rates
- *  are below 2 (1/m + a^2/J) < 200, so that terms fall from the first on. P and L stay, and what kinetic energy goes is
- *  booked. */
+/** The flow of the one effect of two bodies, of which at says the same: the exponential of the whole system, whose
+ *  rates are below 2 (1/m + a^2/J) < 200, so that terms fall from the first on. P and L stay, and what kinetic energy
+ *  goes is booked. */
 static inline void linear_assert_flow(uneven *m, const struct linear *at, double t, double drift)
 {
     double before[6], after[6];

@@ -187,7 +187,8 @@ TEST(order_of_the_bonds)
     }
 }
 
-/** Three equal moments are the sphere's flows to rounding; bodies that coincide have no direction, and nothing is done. */
+/** Three equal moments are the sphere's flows to rounding; bodies that coincide have no direction, and nothing is
+ *  done. */
 TEST(equal_moments_are_spheres)
 {
     rng g = rng_seed(5205);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The kernels of bonds for wide units give the bits of those for any processor, and strided bodies those of packed
- * ones: every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them. So do
- * those of bonds that join bodies in a row, which do without rows of loads.
- * Their tables are private to the library. */
+ * ones: every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them. So
+ * do those of bonds that join bodies in a row, which do without rows of loads. Their tables are private to the
+ * library. */
 #include "crowd.h"
 #include "units.h"
 
@@ -114,8 +114,8 @@ static void agree(const struct bond_kernels *kernels)
 
 /* ---- bonds in a row ---------------------------------------------------------------------------------------------- */
 
-/** Bonds of bodies i and i + 1, i + 1 and i + 2, ... in runs of any length, which may wrap around as rings do, and after
- *  some of them a bond of their last body, or of any, and any other. Some are slack, whose loads are 0 or -0. */
+/** Bonds of bodies i and i + 1, i + 1 and i + 2, ... in runs of any length, which may wrap around as rings do, and
+ *  after some of them a bond of their last body, or of any, and any other. Some are slack, whose loads are 0 or -0. */
 static int64_t runs(rng *g, int n)
 {
     int64_t count = 0;

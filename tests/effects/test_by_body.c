@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What each body has lost: of pairs that stand apart from each other, some at a wall, each pair's books are what it loses
- * of its kinetic energy, halves are equal, and all else is what it is without these books, to the bit. */
+ * What each body has lost: of pairs that stand apart from each other, some at a wall, each pair's books are what it
+ * loses of its kinetic energy, halves are equal, and all else is what it is without these books, to the bit. */
 #include "impact.h"
 #include "troop.h"
 
 enum { PAIRS = 37, BODIES = 2 * PAIRS, FORCES = 4 };
 
-/** Pairs at a distance from each other, in lists that count bodies from 1, as Fortran does; every third one's first body
- *  is at a plane that moves and turns. */
+/** Pairs at a distance from each other, in lists that count bodies from 1, as Fortran does; every third one's first
+ *  body is at a plane that moves and turns. */
 struct world {
     crowd c;
     web w;
@@ -262,7 +262,8 @@ TEST(each_clump_to_the_medium)
 
 static double by_pair[PAIRS + 1][VTI_FRICTION_BOOKS], told[PAIRS][VTI_FRICTION_BOOKS];
 
-/** Over drifts in which springs stretch and slide, touches begin and end. told: what pairs have lost is told pair by pair. */
+/** Over drifts in which springs stretch and slide, touches begin and end. told: what pairs have lost is told pair by
+ *  pair. */
 static void rub(int tells, int uneven)
 {
     const vti_drifted drifted = {.t = 0.02, .law = VTI_LAW_EXACT9, .frame = VTI_FRAME_SPACE};

@@ -51,8 +51,8 @@ TEST(each_flow)
     }
 }
 
-/** A dashpot pulls no harder than the contact pushes, and across the normal and about it no harder than friction lets it
- *  together with what its springs hold. */
+/** A dashpot pulls no harder than the contact pushes, and across the normal and about it no harder than friction lets
+ *  it together with what its springs hold. */
 TEST(limits)
 {
     rng g = rng_seed(5102);
@@ -66,8 +66,8 @@ TEST(limits)
         vec before[4], after[4];
         linear_bodies(&m, &g, kind, UNEVEN_BOTH, 2, 1);
         press(&g, 0, 0.01, &at);
-        for (int k = 0; k < 6 && trial / 24 % 2;
-             ++k) { /* slow, as what friction allows may be more than what stops them */
+        /* slow, as what friction allows may be more than what stops them */
+        for (int k = 0; k < 6 && trial / 24 % 2; ++k) {
             m.t.c.v[k / 3][k % 3] *= 0.05;
             m.spin[k / 3][k % 3] *= 0.05;
         }
@@ -75,8 +75,8 @@ TEST(limits)
         vti_dashpots dashpots = {.contacts = &m.t.contacts, .friction = &friction, .reach = INFINITY, .lost = m.lost};
         double *const coefficient[] = {&dashpots.normal, &dashpots.tangential, &dashpots.rolling, &dashpots.twisting};
         *coefficient[which] = c;
-        const double length = 0.5 * (m.t.diameter[0] + m.t.diameter[1]),
-                     force = 1e4 * pow(0.01, 1.5) / length; /* Hertz: K/L o^{3/2} */
+        const double length = 0.5 * (m.t.diameter[0] + m.t.diameter[1]);
+        const double force = 1e4 * pow(0.01, 1.5) / length; /* Hertz: K/L o^{3/2} */
         random_vector(&g, mu * force, load);
         vti_held held = {m.t.pair[0][0] + 1, m.t.pair[0][1] + 1, {0}, {0}, 0};
         const double along_n = vti_dot(load, m.plane[0]);
@@ -259,8 +259,8 @@ static void in_a_corner(rng *g, int kind)
     }
 }
 
-/** Where a body is at several planes they go one by one, backwards in the other order; a slice has its own bodies alone;
- *  and each plane has its own zeta. */
+/** Where a body is at several planes they go one by one, backwards in the other order; a slice has its own bodies
+ *  alone; and each plane has its own zeta. */
 TEST(in_corners)
 {
     rng g = rng_seed(5110);

@@ -48,7 +48,8 @@ static void reference(const double *c, const double *angular, const double mediu
     y[0] = vec_add(y[0], 1, v);
 }
 
-/** One sphere, its drag alone or its angular drag alone: the exponential of the whole system, in a medium that moves. */
+/** One sphere, its drag alone or its angular drag alone: the exponential of the whole system, in a medium that
+ *  moves. */
 TEST(one_sphere)
 {
     rng g = rng_seed(5301);
@@ -90,8 +91,8 @@ TEST(at_the_centre)
         const vti_drag drag = {.linear = vti_scalars_one(&c), .quadratic = vti_scalars_one(&k), .lost = m.lost};
         flow(&drag, t, 1);
         const long double mass = m.t.c.mass[0], z = c * t / mass, speed = vec_norm(vec_of(v)),
-                          phi = t / mass * (z > 0 ? -expm1l(-z) / z : 1), f = expl(-z) / (1 + k * speed * phi),
-                          tau = z + log1pl(k * speed * phi); /* rounds, which the exponential magnifies */
+                          phi = t / mass * (z > 0 ? -expm1l(-z) / z : 1), f = expl(-z) / (1 + k * speed * phi);
+        const long double tau = z + log1pl(k * speed * phi); /* rounds, which the exponential magnifies */
         for (int d = 0; d < 3; ++d)
             assert_close(m.t.c.v[0][d], f * v[d], 8 * EPS * fabs(v[d]) + fabsl(f * v[d]) * 8 * tau * EPS);
     }
@@ -175,8 +176,8 @@ TEST(order_of_the_spheres)
     }
 }
 
-/** Whatever the coefficients and the time, of needles and plates too: the energy beside the medium never grows, and what
- *  is gone is booked. */
+/** Whatever the coefficients and the time, of needles and plates too: the energy beside the medium never grows, and
+ *  what is gone is booked. */
 TEST(never_gains)
 {
     rng g = rng_seed(5305);

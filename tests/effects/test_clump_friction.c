@@ -313,8 +313,8 @@ TEST(impacts)
         }
 }
 
-/** Random impacts of clumps and of bodies with moments, at a plane and of two, by half of the bound: the energy is never
- *  above what the same impact gains without friction and dashpots; momenta stay. */
+/** Random impacts of clumps and of bodies with moments, at a plane and of two, by half of the bound: the energy is
+ *  never above what the same impact gains without friction and dashpots; momenta stay. */
 TEST(random_impacts_never_gain)
 {
     rng g = rng_seed(5203);

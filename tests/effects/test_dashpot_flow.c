@@ -59,8 +59,8 @@ TEST(share_of_the_drift)
 {
     for (int which = 0; which < 8; ++which) {
         const int plane = which % 2, after = which / 2 % 2, out = which / 4;
-        const double c = 3, t = 0.25, deep = out ? -0.03 : 0.01,
-                     way = 0.04; /* from the overlap at one end to 1/4 or 3/4 */
+        const double c = 3, t = 0.25, deep = out ? -0.03 : 0.01;
+        const double way = 0.04; /* from the overlap at one end to 1/4 or 3/4 */
         impact_clear(&m, plane ? 1 : 2, plane, 1e4);
         m.plane[0][2] = 1;
         m.c.x[0][2] = (plane ? 0.5 : 1) - deep;

@@ -277,8 +277,8 @@ TEST(three_moments)
     }
 }
 
-/** Many bodies, in any layout, have the bits of those with residuals of 0, which are done one by one: with rest, speeds the
- *  squares of which are out of range, and coefficients of some alone. */
+/** Many bodies, in any layout, have the bits of those with residuals of 0, which are done one by one: with rest, speeds
+ *  the squares of which are out of range, and coefficients of some alone. */
 TEST(many)
 {
     enum { MOST = 40 };

@@ -128,7 +128,7 @@ TEST(incline)
     impact_add(&m, vti_dashpots_effect(&dashpots));
     impact_go(&m, vti2(), h, 16 * 1024);
     assert_below(fabs(m.c.v[0][0]), 1e-9);
-    assert_below(fabs(m.c.force[0][0]), 1e-6); /* the spring holds the weight, */
+    assert_below(fabs(m.c.force[0][0]), 1e-6); /* the spring holds the weight */
 }
 
 /** A spin about the normal slows by mu_w F_n/J and stops. */

@@ -89,10 +89,10 @@ TEST(rolling_or_twisting_alone)
         assert_true(vti_booked(&effect, 1) >= -1e-18 && (vti_booked(&effect, 1) > 1e-6) == slips);
 
         assert_int_equal(vti_apply(&effect, 1, &m.b), VTI_OK);
-        assert_close(m.c.moment[0][twists ? 2 : 1], -f, 1e-4 * f); /* against what turns, */
+        assert_close(m.c.moment[0][twists ? 2 : 1], -f, 1e-4 * f); /* against what turns */
         for (int k = 0; k < 3; ++k) {
             assert_close(m.c.force[0][k], 0, 0);
-            assert_close(m.c.moment[1][k], plane ? 0 : -m.c.moment[0][k], 0); /* and as much on the other */
+            assert_close(m.c.moment[1][k], plane ? 0 : -m.c.moment[0][k], 0); /* as much on the other */
         }
     }
 }
@@ -123,8 +123,8 @@ TEST(sliding_alone)
 
 /* ---- rest -------------------------------------------------------------------------------------------------------- */
 
-/** A sphere on a plane, or two that turn against each other, with dashpots and springs of all motions come to rest to the
- *  last bit: neither velocities nor loads go on as subnormal numbers. */
+/** A sphere on a plane, or two that turn against each other, with dashpots and springs of all motions come to rest to
+ *  the last bit: neither velocities nor loads go on as subnormal numbers. */
 TEST(rest)
 {
     double other[8];

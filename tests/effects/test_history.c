@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What many touches hold: where it stands in memory, which is the order of the list after a while, and that nothing depends
- * on it. */
+ * What many touches hold: where it stands in memory, which is the order of the list after a while, and that nothing
+ * depends on it. */
 #include "support.h"
 
 #include "../../src/contacts/vti_history.h"
@@ -68,7 +68,8 @@ static void shuffle(rng *g, int64_t (*pair)[2], int64_t count)
     }
 }
 
-/** Springs carried by a list that changes its order have the loads of those by one that stays, and come into its order. */
+/** Springs carried by a list that changes its order have the loads of those by one that stays, and come into its
+ *  order. */
 TEST(order_of_the_list)
 {
     const vti_drifted drifted = {.t = 0.01, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
@@ -125,8 +126,8 @@ TEST(many_part)
     assert_true(taken == stay && stay > PAIRS / 8);
 }
 
-/** Dashpots of all pairs at once, also where the list has others far apart between them, as window by window with no more than
- *  its own springs: the same bits. */
+/** Dashpots of all pairs at once, also where the list has others far apart between them, as window by window with no
+ *  more than its own springs: the same bits. */
 TEST(springs_between_dashpots)
 {
     static double start[BODIES][3], first[BODIES][3];

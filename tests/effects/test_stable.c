@@ -165,8 +165,8 @@ TEST(parallel_springs)
     }
 }
 
-/** A body with five bonds is faster than a pair with one that is stiffer than any of them: what is named is the stiffest
- *  bond of those at that body, not of all. */
+/** A body with five bonds is faster than a pair with one that is stiffer than any of them: what is named is the
+ *  stiffest bond of those at that body, not of all. */
 TEST(what_sets_the_step)
 {
     crowd_clear(&c, 8, CROWD_ALPHA);

@@ -146,8 +146,8 @@ TEST(moved_at_random)
     assert_below(now[CLUSTERS - 1], 1.15);
 }
 
-/** Clusters of bonds at their lengths whose bodies are turned, each by the same angle about an axis of its own: bends of
- *  up to twice that, for which the bound makes no promise. docs/linking.md has by how much it is above the limit. */
+/** Clusters of bonds at their lengths whose bodies are turned, each by the same angle about an axis of its own: bends
+ *  of up to twice that, for which the bound makes no promise. docs/linking.md has by how much it is above the limit. */
 TEST(turned_at_random)
 {
     static const double bends[] = {0.05, 0.2, 0.5, 1, 1.5}, most[] = {1.02, 1.05, 1.1, 1.2, 1.4};

@@ -4,12 +4,8 @@
  * whether the energy drifts. */
 #include "torus.h"
 
-enum {
-    STEPS = 10,
-    PER_TIME = 1000 / STEPS,
-    BLOCK = 20,
-    FROM = 20
-}; /* samples; averages over BLOCK, from t = FROM on */
+/* samples; averages over BLOCK, from t = FROM on */
+enum { STEPS = 10, PER_TIME = 1000 / STEPS, BLOCK = 20, FROM = 20 };
 
 static const double h = 1e-3;
 static int until = 35;

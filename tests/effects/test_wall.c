@@ -253,14 +253,14 @@ TEST(swings_in_a_cylinder)
     impact_add(&m, vti_dashpots_effect(&dashpots));
     const double rate = sqrt(10 / r / (1 + 0.2 / (2 * arm * arm))), half = PI / rate;
     impact_go(&m, vti2(), h, (int64_t)(half / h));
-    assert_close(m.c.x[0][0] - cylinder[0][3], -r * sin(angle),
-                 1e-4 * r); /* turns back, where errors of time do not show */
+    /* turns back, where errors of time do not show */
+    assert_close(m.c.x[0][0] - cylinder[0][3], -r * sin(angle), 1e-4 * r);
     impact_go(&m, vti2(), h, (int64_t)(half / 2 / h));
-    assert_close(m.c.x[0][0] - cylinder[0][3], 0,
-                 6e-3 * r * angle); /* of a touch that gives way: m g/k_t/r of the swing */
+    /* a touch that gives way: m g/k_t/r of the swing */
+    assert_close(m.c.x[0][0] - cylinder[0][3], 0, 6e-3 * r * angle);
 }
 
-/* ---- walls in their order ----------------------------------------------------------------------------------------- */
+/* ---- walls in their order ---------------------------------------------------------------------------------------- */
 
 /** Backward a body meets its walls in the reverse order: that of the reversed list forward. */
 TEST(backward_is_reversed)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Walls that move: the ledger with their work, the same motion seen by somebody who moves along, and what goes with them. */
+ * Walls that move: the ledger with their work, the same motion seen by somebody who moves along, and what goes with
+ * them. */
 #include "walls.h"
 
-/** A sphere on a wall of all effects; returns the change of the ledger over 0.4 units of time as a share of all energy.
- */
+/** A sphere on a wall of all effects; returns the change of the ledger over a time of 0.4, as a share of all energy. */
 static double ride(int round, double speed, double spin, double start, int steps, double after[6], double *put_in)
 {
     rng g = rng_seed(1422);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What the springs of one touch do in a drift, by the formulas for one lane: what kernels of many have to agree with. */
+ * What the springs of one touch do in a drift, by the formulas for one lane: what kernels of many have to agree
+ * with. */
 #ifndef VTI_TESTS_TOUCH_ALONE_H
 #define VTI_TESTS_TOUCH_ALONE_H
 

@@ -4,8 +4,9 @@
 
     coverage.py BUILD [LEAST]      exits with 1 if less than LEAST percent (98) of the lines or branches have been reached
 
-A branch is one outcome of one condition as it is written, or of one part of it between && and ||. It counts once, and as
-reached if any copy of it was: inline functions have one in each file that includes them, and macros one in each place."""
+A branch is one outcome of one condition as it is written, or of one part of it between && and ||. It counts once, and
+as reached if any copy of it was: inline functions have one in each file that includes them, and macros one in each
+place."""
 import collections
 import json
 import os

@@ -4,8 +4,7 @@
  * algebra.
  *
  *     digest              one line "name hash" for each
- *     digest --numbers    the numbers at the end of each stepper's run, for machines whose bits have to differ
- */
+ *     digest --numbers    the numbers at the end of each stepper's run, for machines whose bits have to differ */
 #include "digest.h"
 
 enum { STEPS = 192, STATES = 64 };

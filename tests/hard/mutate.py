@@ -4,10 +4,11 @@
 
     mutate.py [--list] [NUMBER...]      all faults, or those of the numbers
 
-Copies the tree to a scratch folder, sets the core and its tests up there once (the drivers too where a fault names its tests),
-and then, for each fault: puts it in, builds what the tests need, runs suite by suite until a test fails, or the tests that the
-fault names (a name of several words in quotes), and takes it out. The stored digest, which any change would break, is left out. Says
-which fault was caught by which test. Exits with 1 if one was not, or if a fault's text does not occur exactly once."""
+Copies the tree to a scratch folder, sets the core and its tests up there once (the drivers too where a fault names its
+tests), and then, for each fault: puts it in, builds what the tests need, runs suite by suite until a test fails, or the
+tests that the fault names (a name of several words in quotes), and takes it out. The stored digest, which any change
+would break, is left out. Says which fault was caught by which test. Exits with 1 if one was not, or if a fault's text
+does not occur exactly once."""
 import argparse
 import os
 import re
@@ -45,7 +46,8 @@ def copy_tree(folder):
 
 
 def caught_by(build, tests):
-    """The first test that fails, or what stopped the build, or None. tests: those to run, or None for the core's suites."""
+    """The first test that fails, or what stopped the build, or None. tests: those to run, or None for the core's
+    suites."""
     suites = [["--no-suite", "slow", "--no-suite", "bits", "--suite", suite] for suite in SUITES]
     for chosen in suites if tests is None else [[test] for test in tests]:
         tested = run("meson", "test", "-C", build, "--maxfail", "1", "--timeout-multiplier", "4", *chosen)

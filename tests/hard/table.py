@@ -5,9 +5,9 @@
     table.py --write PAGE SCENES PROGRAM...
     table.py --check PAGE [SCENES PROGRAM]
 
-Runs each program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --write puts them
-into the sections of these programs, and leaves the others as they are. --check compares
-what a program prints with its section of the page, or, without one, the rest of the page, and shows the difference."""
+Runs each program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --write
+puts them into the sections of these programs, and leaves the others as they are. --check compares what a program prints
+with its section of the page, or, without one, the rest of the page, and shows the difference."""
 import difflib
 import os
 import re

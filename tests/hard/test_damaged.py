@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vti-run and vti-study keep, cut anywhere, with flipped bits, and foreign: it is refused in one line and stays as it is, or
+"""What vti-run and vti-study keep, cut anywhere, with flipped bits, and foreign: it is refused in one line and stays as
+it is, or
 the bytes at the end are the right ones (SQLite uses not every bit of its file).      test_damaged.py VTI_RUN VTI_STUDY SCENES"""
 import contextlib
 import os

@@ -122,7 +122,7 @@ TEST(no_body_and_one)
     }
 }
 
-/* ---- subnormals --------------------------------------------------------------------------------------------------- */
+/* ---- subnormals -------------------------------------------------------------------------------------------------- */
 
 /** Everything a subnormal number: nothing but underflow happens, and the attitude goes on being the identity. */
 TEST(subnormals)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whole programs write the same bytes on processors with and without FMA, AVX2 and AVX-512: glibc is told to take no notice of
-them, so that its sin, cos, exp and pow have other last bits. Nothing that moves a body or is compared may come from those.
+"""Whole programs write the same bytes on processors with and without FMA, AVX2 and AVX-512: glibc is told to take no
+notice of them, so that its sin, cos, exp and pow have other last bits. Nothing that moves a body or is compared may
+come from those.
 
     test_masks.py LIBM VTI_RUN VTI_STUDY ROOT
 """

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-study that is killed, stopped, out of space or memory, or misused: what it had done is kept, --resume ends with the same
+"""vti-study that is killed, stopped, out of space or memory, or misused: what it had done is kept, --resume ends with
+the same
 bytes, every refusal is one line, and nothing hangs.      test_study_resume.py VTI_STUDY MPIRUN SCENES [KILLS]"""
 import os
 import random
@@ -59,8 +60,9 @@ def tell(ranks, number):
 
 
 def end(process, folder):
-    """Waits for mpirun and returns its code. After a kill PMIx 4.2 may lock itself out when mpirun finalises it, one time in a
-    hundred and with all ranks gone: that is seen from outside only as an mpirun that stays, and is no hang of the study."""
+    """Waits for mpirun and returns its code. After a kill PMIx 4.2 may lock itself out when mpirun finalises it, one
+    time in a hundred and with all ranks gone: that is seen from outside only as an mpirun that stays, and is no hang of
+    the study."""
     for _ in range(PATIENCE // 10):
         try:
             return process.wait(timeout=10)
@@ -117,7 +119,8 @@ LADDER = ("--h", "2^-4:2^-14", "--steppers", "vti1,vti2,vti3")
 
 
 def begun(folder, *arguments, number=signal.SIGKILL, said=subprocess.DEVNULL):
-    """A study on two ranks that is ended when it has kept something; a machine that is busy may need several. Returns its code."""
+    """A study on two ranks that is ended when it has kept something; a machine that is busy may need several. Returns
+    its code."""
     journal, code = f"{folder}/study.journal", 0
     for _ in range(20):
         shutil.rmtree(folder, ignore_errors=True)
@@ -129,7 +132,8 @@ def begun(folder, *arguments, number=signal.SIGKILL, said=subprocess.DEVNULL):
             else:
                 process.send_signal(number)
             code = end(process, folder)
-        while processes(folder):  # mpirun does not wait for ranks that it has ended, and they hold the lock until they have
+        # mpirun does not wait for ranks that it has ended, and they hold the lock until they have
+        while processes(folder):
             time.sleep(0.01)
         if code != 0 and holds(journal):
             break
@@ -159,7 +163,8 @@ def refused_resumes(base):
 
 
 def full_disk(base):
-    """A file that cannot be written, and files that may not grow: the results before stay, and nothing that was done is lost."""
+    """A file that cannot be written, and files that may not grow: the results before stay, and nothing that was done is
+    lost."""
     arguments = [scene("pendulum"), "--h", "2^-4:2^-9"]
     study(1, *arguments, "-o", f"{base}/whole")
     whole = contents(f"{base}/whole", TIMED)
@@ -182,7 +187,8 @@ def full_disk(base):
 
 
 def limited(base, arguments, whole):
-    """Files up to a size that the journal reaches in the middle; without shared memory, whose files would be as limited."""
+    """Files up to a size that the journal reaches in the middle; without shared memory, whose files would be as
+    limited."""
     folder, less = f"{base}/limited", 'ulimit -f 600; exec "$0" "$@"'  # blocks of 512 bytes
     result = run(MPIRUN, "-n", "1", "sh", "-c", less, *command(0, *arguments, "-o", folder),
                  env=dict(ENVIRONMENT, OMPI_MCA_btl="self"))

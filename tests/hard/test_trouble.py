@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-run and vti-study that are killed, stopped or out of space at every call that changes a file: every file is the earlier
-one or the new one, never a piece; want of space is one line; --resume goes on from what was kept, ends with the same bytes and
-leaves nothing else. Short: the first and the last such call of each kind on each file.
+"""vti-run and vti-study that are killed, stopped or out of space at every call that changes a file: every file is the
+earlier one or the new one, never a piece; want of space is one line; --resume goes on from what was kept, ends with the
+same bytes and leaves nothing else. Short: the first and the last such call of each kind on each file.
     test_trouble.py TROUBLE VTI_RUN VTI_STUDY VTI_ADVISE SCENES [long]"""
 import os
 import shutil
@@ -26,9 +26,9 @@ def start(command, folder, how="", at=0, log="", **options):
 
 class Topic:
     def __init__(self, base, command, earlier, journal, keeps, timed=()):
-        """command and earlier give the words that make files, and other files of the same names, in a folder; their journal is
-        beside them and has something to go on from after so many commits, each of which cuts SQLite's own journal to nothing;
-        the timed ones are never the same."""
+        """command and earlier give the words that make files, and other files of the same names, in a folder; their
+        journal is beside them and has something to go on from after so many commits, each of which cuts SQLite's own
+        journal to nothing; the timed ones are never the same."""
         self.command, self.journal, self.timed = command, journal, timed
         self.name, self.folder, self.old = os.path.basename(base), f"{base}/new", f"{base}/old"
         results = [start(earlier, self.old), start(command, f"{base}/whole")]
@@ -81,7 +81,8 @@ class Topic:
             codes = [0, 75, -signal.SIGTERM]  # the last before its first step, with nothing to go on from
             if result.returncode == codes[2] and self.journal in after:
                 return "ended, and left a journal; "
-        ours = [line for line in result.stderr.splitlines() if line.startswith("vti-")]  # MPI may have to say something too
+        # MPI may have to say something too
+        ours = [line for line in result.stderr.splitlines() if line.startswith("vti-")]
         one_line = len(ours) == (result.returncode == 75)
         return "" if result.returncode in codes and one_line else f"code {result.returncode}: {result.stderr.strip()}; "
 

@@ -318,13 +318,13 @@ TEST(slowed)
     assert_close(slowing_of(three, "contact: {stiffness: 10}\ndashpot: {normal: 3}"), 3.0 * (1.0 / 2.0 + 1.0 / 4.0),
                  1e-15);
     assert_close(slowing_of(three, WALL "dashpot: {normal: 3}"), 3.0 / 2.0, 1e-15);
-    /* two spheres at 1.5 on both sides of the centre: m = pi/3, J = 2 (m/2) (R^2 2/5 + 1.5^2) across; a double root knows
-     * half of the digits */
+    /* two spheres at 1.5 on both sides of the centre: m = pi/3, J = 2 (m/2) (R^2 2/5 + 1.5^2) across; a double root
+     * knows half of the digits */
     const double mass = PI / 3.0, across = mass * (0.1 + 2.25);
     assert_close(slowing_of(rod, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
-    assert_close(
-        slowing_of(rod, "contact: {stiffness: 10}\ndashpot: {normal: 3}"), /* spheres of one body do not touch */
-        3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
+    /* spheres of one body do not touch */
+    assert_close(slowing_of(rod, "contact: {stiffness: 10}\ndashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across),
+                 6.0 * sqrt(EPS));
     static const char slanted[] = "clumps: {spheres: [[0, 0, 0, 1], [0, 2.4, 1.8, 1]], density: 1}, x: [0, 0, 0], "
                                   "v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 0]";
     assert_close(slowing_of(slanted, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
@@ -404,8 +404,8 @@ static struct judgement judged(int rows, const double *v, const double *fallen, 
     return found;
 }
 
-/** Energy that is off where something begins to move is a share of what there is in the end, and errors of the ledger of a
- *  driven scene one of what it has turned over; what comes out of nothing is bad, booked or not. */
+/** Energy that is off where something begins to move is a share of what there is in the end, and errors of the ledger
+ *  of a driven scene one of what it has turned over; what comes out of nothing is bad, booked or not. */
 TEST(shares)
 {
     static const double none[4], from_rest[] = {0, 0, 10, 10}, late[] = {0, 1e-3, -100, -100}, steady[] = {1, 1, 1, 1},
@@ -438,8 +438,8 @@ static struct verdict touched(struct model *model, const struct columns *columns
     return v;
 }
 
-/** k = (3/2) K o^(1/2)/R^2, o = 0.2, R = 1/2, K = 10, m = 2: the stable step is 2 sqrt(m/k) and h above it. Of steps that
- *  vary it is what they were while the sphere touched. */
+/** k = (3/2) K o^(1/2)/R^2, o = 0.2, R = 1/2, K = 10, m = 2: the stable step is 2 sqrt(m/k) and h above it. Of steps
+ *  that vary it is what they were while the sphere touched. */
 TEST(pressed)
 {
     static struct scene scene;

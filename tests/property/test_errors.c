@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Estimates of a step's error: their weights vanish on every tree of Runge-Kutta-Nystroem theory up to the order that the
- * stepper states and not beyond; what is summed is what the definition says; it falls as h^(q+1), is not far below
+ * Estimates of a step's error: their weights vanish on every tree of Runge-Kutta-Nystroem theory up to the order that
+ * the stepper states and not beyond; what is summed is what the definition says; it falls as h^(q+1), is not far below
  * the true error of a step, sees a NaN, and changes nothing. */
 #include "chain.h"
 

@@ -39,8 +39,8 @@ static void bands(const char *name, double h, int64_t count, top *p, double band
            band[TENTHS - 1]);
 }
 
-/** Turning over about the middle axis, h|Omega| = 0.1: within 8.7e-5 by Strang's list and 1.3e-8 by M4, as 113 bits have
- *  it (EQUATIONS 7.2). */
+/** Turning over about the middle axis, h|Omega| = 0.1: within 8.7e-5 by Strang's list and 1.3e-8 by M4, as 113 bits
+ *  have it (EQUATIONS 7.2). */
 TEST(energy_has_the_same_band_in_every_tenth)
 {
     static const struct {

@@ -122,8 +122,8 @@ TEST(symmetric_tops_are_exact)
     }
 }
 
-/** Moments and L in other units turn the same body by the same bits: powers of 2 round nothing, though products of three
- *  moments leave the range of numbers. */
+/** Moments and L in other units turn the same body by the same bits: powers of 2 round nothing, though products of
+ *  three moments leave the range of numbers. */
 TEST(units_do_not_matter)
 {
     static const int powers[] = {-1000, -500, -310, -300, -150, 150, 300, 310, 500, 1000};

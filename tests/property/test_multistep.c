@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * AN(K, c): orders K + 1 on a chain of bonds, the reach of each from the growth of an oscillator, what is kept, and that slices,
- * layouts and copies of the past keep the bits. */
+ * AN(K, c): orders K + 1 on a chain of bonds, the reach of each from the growth of an oscillator, what is kept, and
+ * that slices, layouts and copies of the past keep the bits. */
 #include "chain.h"
 
 enum { DEPTH = 10, BODIES = 4 };
@@ -30,7 +30,8 @@ static void step(flight *f, const vti_multistep *m, double h)
     assert_int_equal(vti_multistep_correct(m, h, &f->past, &b), VTI_OK);
 }
 
-/** K - 1 steps of h by a method that is accurate enough, the accelerations remembered before each and after the last. */
+/** K - 1 steps of h by a method that is accurate enough, the accelerations remembered before each and after the
+ *  last. */
 static void start(flight *f, const vti_multistep *m, double h)
 {
     const vti_bodies b = chain_bodies(&f->c);
@@ -203,7 +204,8 @@ static void slices_and_copies(void **state)
     }
 }
 
-/** Bodies that only fly, only turn, or have no attitude: what is absent stays out, and what is there moves as with the rest. */
+/** Bodies that only fly, only turn, or have no attitude: what is absent stays out, and what is there moves as with the
+ *  rest. */
 static void parts(void **state)
 {
     (void)state;

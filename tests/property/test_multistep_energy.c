@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The energy of a multistep method drifts in proportion to time. Its rate on the paper's pendulum, as a share of the energy
- * per unit of time, is that of EQUATIONS 8.1, found by another code, and that of the methods of the library the table of
- * docs/linking.md. */
+ * The energy of a multistep method drifts in proportion to time. Its rate on the paper's pendulum, as a share of the
+ * energy per unit of time, is that of EQUATIONS 8.1, found by another code, and that of the methods of the library the
+ * table of docs/linking.md. */
 #include "march.h"
 #include "rig.h"
 

@@ -110,9 +110,8 @@ static void orders(void **state)
             print_message("%s: errors %.2e, %.2e, order %.2f\n", m->name, error[0][part], error[1][part], order);
             if (m->depth < 7)
                 assert_true(order > expected - 0.6 && order < expected + 1.0);
-            else
-                assert_true(fmax(error[0][part], error[1][part]) <
-                            1600 * EPS); /* so many steps, at most, one rounding each */
+            else /* so many steps, at most, one rounding each */
+                assert_true(fmax(error[0][part], error[1][part]) < 1600 * EPS);
         }
     }
 }

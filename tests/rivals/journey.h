@@ -155,7 +155,7 @@ static inline void journey_errors(const struct scene *scene, const vti_stepper *
     end(&j);
 }
 
-/* ---- steps of variable length that end sooner than at the next look ------------------------------------------------ */
+/* ---- steps of variable length that end sooner than at the next look ---------------------------------------------- */
 
 /** Somebody who is due every 32 steps and wants to be called sooner at each third question. */
 struct impatient {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The library's multistep methods on their way through scenes: their orders on the pendulum and the free chain against the
- * study's reference, and the drift of the energy, which goes on with time as that of the lists of kicks and drifts does
- * not. */
+ * The library's multistep methods on their way through scenes: their orders on the pendulum and the free chain against
+ * the study's reference, and the drift of the energy, which goes on with time as that of the lists of kicks and drifts
+ * does not. */
 #include "journey.h"
 
 #include "fit.h"
@@ -27,8 +27,8 @@ static void assert_order(const char *where, const char *of, const vti_stepper *m
     if (method->reach < 0.2 && error[0] < 1e-11) /* steps that are stable leave rounding alone */
         return;
     assert_true(fit.points >= 4);
-    /* from order 9 there is little room between the longest steps, whose errors fall faster, and rounding, and starts are
-     * of less, which shows in runs so short: tests/property/test_multistep.c starts better and measures closer */
+    /* from order 9 there is little room between the longest steps, whose errors fall faster, and rounding, and starts
+     * are of less, which shows in runs so short: tests/property/test_multistep.c starts better and measures closer */
     assert_close(fit.order, (double)method->order, method->order < 9 ? 0.5 : 3.0);
 }
 
@@ -65,8 +65,8 @@ TEST(chain)
     orders(&ladder);
 }
 
-/** The ring's particle 40 touches its wall at the start, and others as they follow: each of these is a kink of the force,
- *  which leaves order 2.5 of any method whose steps know nothing of it. */
+/** The ring's particle 40 touches its wall at the start, and others as they follow: each of these is a kink of the
+ *  force, which leaves order 2.5 of any method whose steps know nothing of it. */
 TEST(touches)
 {
     enum { FIRST = 512 };

@@ -2,7 +2,8 @@
  *
  * A Runge-Kutta method is of order p if for every rooted tree t of up to p nodes
  *
- *     sum_i b_i Phi_i(t) = 1/gamma(t),   Phi_i([t_1 ... t_m]) = prod_k sum_j a_ij Phi_j(t_k),   gamma(t) = |t| prod_k gamma(t_k)
+ *     sum_i b_i Phi_i(t) = 1/gamma(t),   Phi_i([t_1 ... t_m]) = prod_k sum_j a_ij Phi_j(t_k),
+ *     gamma(t) = |t| prod_k gamma(t_k)
  *
  * (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.2): the tableaus
  * of the rivals meet all these conditions to rounding, and not those of order p + 1. The conditions are 200 for order 8

@@ -23,7 +23,7 @@ static struct travel_tally tally_of(const struct journey *j)
     return tally;
 }
 
-/* ---- the pendulum, s = (1/2 + |Omega|^2)^(-1/2), G = Omega.(RM/J)/(1/2 + |Omega|^2) ------------------------------- */
+/* ---- the pendulum, s = (1/2 + |Omega|^2)^(-1/2), G = Omega.(RM/J)/(1/2 + |Omega|^2) ------------------------------ */
 
 static double vector_at(const vti_view *view, int k)
 {

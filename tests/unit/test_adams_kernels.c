@@ -207,8 +207,8 @@ static void turn_one(const double *by, int64_t each, const vti_bodies *b, int64_
 static void turn_alike(const struct vti_move_kernels *kernels, int64_t each)
 {
     double one[QUAT_ROOM], many[QUAT_ROOM], by[PREDICTED * TURNED];
-    static const double large[3] = {4.0, 1e12, 1e200}; /* the square of the last is infinite, */
-    const int sizes = each == PREDICTED ? 2 : 3;       /* and Magnus' vector of it NaN */
+    static const double large[3] = {4.0, 1e12, 1e200}; /* the square of the last is infinite */
+    const int sizes = each == PREDICTED ? 2 : 3;       /* Magnus' vector of the last is NaN */
     rng g = rng_seed(12);
     for (int trial = 0; trial < 40 * KEPT; ++trial) {
         const int64_t first = trial % 3, end = first + trial % (TURNED - 2);

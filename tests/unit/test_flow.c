@@ -430,8 +430,8 @@ TEST(refusals)
     assert_int_equal(vti_effects_carry(&needy, 1, &drifted, &b), VTI_E_NEEDS);
     assert_int_equal(made, 0); /* none of them has called anything */
     bodies(NULL);
-    assert_int_equal(vti_effects_begin(body, 0.1, &flows, 1, &b, NULL),
-                     VTI_OK); /* velocities of the centres have no such frame */
+    /* velocities of the centres have no such frame */
+    assert_int_equal(vti_effects_begin(body, 0.1, &flows, 1, &b, NULL), VTI_OK);
 
     /* the bound of the closed form is known once the flow is done: one call, and no drift to carry along */
     omega[1][0] = 11.0;

@@ -184,8 +184,8 @@ TEST(pieces)
     assert_close(solid.centre[2], 2.5, 1e-4);
 }
 
-/** A line through a sphere passes several inside of it and inside of each other, before and behind it in the list, in no order
- *  of height: they add nothing. */
+/** A line through a sphere passes several inside of it and inside of each other, before and behind it in the list, in
+ *  no order of height: they add nothing. */
 TEST(spheres_inside)
 {
     const double diameter[8] = {0.2, 0.25, 0.3, 0.7, 2, 0.3, 0.2, 0.25}, m = sphere_mass(1, 2);
@@ -265,8 +265,8 @@ TEST(thin)
     }
 }
 
-/** A sphere that n equal ones in a row overlap: n balls without the lenses between two that follow each other, whichever
- *  stands where in the list, and more of them than the code keeps in mind. */
+/** A sphere that n equal ones in a row overlap: n balls without the lenses between two that follow each other,
+ *  whichever stands where in the list, and more of them than the code keeps in mind. */
 TEST(rows)
 {
     enum { MOST = 140 };

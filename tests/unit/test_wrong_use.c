@@ -414,7 +414,8 @@ TEST(members)
     }
 }
 
-/** What is refused before a body is looked at is about none: no call leaves in a fault what an earlier one has put there. */
+/** What is refused before a body is looked at is about none: no call leaves in a fault what an earlier one has put
+ *  there. */
 TEST(no_older_fault)
 {
     const vti_stepper *const s = vti_stepper_find("vti2");

@@ -52,8 +52,8 @@ struct bond_turns {
     const struct binder_self *binder;
     double least;    /* energy that takes the weakest bond to half a turn, K^m pi^2/2; infinite without such bonds */
     double watching; /* 1 while there is as much */
-    double every;    /* so many steps may go by between looks, and */
-    double left;     /* so many until the next one */
+    double every;    /* so many steps may go by between looks */
+    double left;     /* so many until the next look */
     double turned;   /* bonds that have */
     int are_near;    /* all were near where they began at the last look, and pair says so */
     double *pair;    /* [all][4], by number: R_i R_j^T as a quaternion (v, w) that is followed; zeros for one that has

@@ -152,8 +152,9 @@ static int follow(const struct bond_turns *b, const vti_bodies *bodies, int64_t 
     return 1;
 }
 
-/** Whether the bodies of bond k are turned by less than 30 degrees against each other, w^2 > cos^2(15) |q_i|^2 |q_j|^2 with
- *  w = 4 + alpha_i.alpha_j of pairs (alpha, 2). Not of numbers so large that squares overflow: inf > inf is false. */
+/** Whether the bodies of bond k are turned by less than 30 degrees against each other, w^2 > cos^2(15) |q_i|^2 |q_j|^2
+ *  with w = 4 + alpha_i.alpha_j of pairs (alpha, 2). Not of numbers so large that squares overflow: inf > inf is
+ *  false. */
 static inline int is_near(const vti_bonds *bonds, const vti_view *alpha, int64_t k)
 {
     const int64_t i = (bonds->pair[2 * k] - bonds->base) * alpha->stride,
@@ -191,7 +192,8 @@ static int64_t follow_part(void *self, int64_t part)
     return turned;
 }
 
-/** 1 if some body of a part is turned by 15 degrees, |alpha| > 2 tan(7.5): two others are not by 30 against each other. */
+/** 1 if some body of a part is turned by 15 degrees, |alpha| > 2 tan(7.5): two others are not by 30 against each
+ *  other. */
 static int64_t part_is_turned(void *self, int64_t part)
 {
     static const double limit = 0.0693, none[3];

@@ -137,8 +137,8 @@ static int make(struct effect *e, const struct model *model, const struct table 
     free(pair);
     if (result != 0 || scene_first_with(model->scene, EFFECT_NEAR) == NULL)
         return result;
-    /* No two come nearer by more in a step that resolves their contact: 0.02 of the mean diameter. Half the skin took 4 to 7 %
-     * more time (scenes heap, drum, column). The verdict says where two do (judgement.c). */
+    /* No two come nearer by more in a step that resolves their contact: 0.02 of the mean diameter. Half the skin took 4
+     * to 7 % more time (scenes heap, drum, column). The verdict says where two do (judgement.c). */
     self->neighbours.reach = 0.1 * self->neighbours.skin;
     if (!model_has_clumps(model) && chunks_create(&self->chunks, spheres) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);

@@ -3,8 +3,8 @@
  *
  * On the straight way d(s) = d0 + s (d1 - d0), 0 < s < 1, two spheres that begin to touch at the distance L are nearest
  * at s = -d0.(d1 - d0)/|d1 - d0|^2, at the distance r, and overlap for the time T = 2 h sqrt(L^2 - r^2)/|d1 - d0|. The
- * force there is at most F = K/L (1 - r/L)^{3/2}. With the overlap going as 1 - tau^2, tau from -1 to 1 over T, its mean is
- * (3 pi/16) F, and changes the relative velocity by 0.589 F T/m, m being the reduced mass. */
+ * force there is at most F = K/L (1 - r/L)^{3/2}. With the overlap going as 1 - tau^2, tau from -1 to 1 over T, its
+ * mean is (3 pi/16) F, and changes the relative velocity by 0.589 F T/m, m being the reduced mass. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -35,7 +35,7 @@ static double missed_by(const vti_contacts *list, int64_t k, const struct effect
     return 0.589 * force * time * (1.0 / m->p[i * m->stride] + 1.0 / m->p[j * m->stride]);
 }
 
-/* ---- pairs that come from far and go far -------------------------------------------------------------------------- */
+/* ---- pairs that come from far and go far ------------------------------------------------------------------------- */
 
 /** What a body covers of an axis on its way. */
 struct span {

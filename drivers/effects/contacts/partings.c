@@ -7,8 +7,8 @@
 
 double partings_touching(const vti_scalars *diameter, int64_t i, int64_t j)
 {
-    return 0.5 * diameter->p[i * diameter->stride] +
-           0.5 * diameter->p[j * diameter->stride]; /* to the bit as it is there */
+    /* to the bit as contacts have it */
+    return 0.5 * diameter->p[i * diameter->stride] + 0.5 * diameter->p[j * diameter->stride];
 }
 
 double partings_distance(const vti_view *x, int64_t i, int64_t j)

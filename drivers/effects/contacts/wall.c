@@ -202,8 +202,8 @@ static int64_t unfelt(const struct effect *e, const struct scene *scene)
 }
 
 /** One that fills a cylinder, which always presses it and from another side as it crosses the axis; or one that begins
- *  deep in a wall, or behind it: mostly a mistake. Clumps are named whose spheres they are. Else a wall that moves to no
- *  effect. */
+ *  deep in a wall, or behind it: mostly a mistake. Clumps are named whose spheres they are. Else a wall that moves to
+ *  no effect. */
 static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
 {
     const double much = 0.2;

@@ -58,8 +58,8 @@ double wall_missed(const vti_walls *walls, const struct effect_way *way);
 /** The first sphere that is as wide as the cylinder it is in, with *wall; -1 if there is none. */
 int64_t wall_first_filled(const vti_walls *walls, const vti_bodies *spheres, int64_t *wall);
 
-/** The first wall that moves in its own face alone, whose velocity presses no sphere: of a plane what is along its normal
- *  does, of a cylinder what is across its axis; -1: none. */
+/** The first wall that moves in its own face alone, whose velocity presses no sphere: of a plane what is along its
+ *  normal does, of a cylinder what is across its axis; -1: none. */
 int64_t wall_first_sliding(const vti_walls *walls);
 
 #endif

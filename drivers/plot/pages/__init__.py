@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages of ./dev figures (figures) and ./dev cost (accuracy), with their pictures and sentences."""
+"""Pages of ./dev figures, cost (accuracy), bench (performance), granular, inertia and lammps (peers), with their
+pictures and sentences. They are not installed."""

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev cost`:  python3 -m plot.pages.accuracy FOLDER [--into DIR].  What accuracy costs with every method: pictures,
-the price list, what is claimed and whether it holds, and which stepper to take when. FOLDER is what vti-study --cost wrote,
-and may hold spin/STEPPER.h5 of `vti-run scenes/spin.yaml`, first and last frame. The page accuracy.md and its pictures go beside
-it, or with --into as DIR/accuracy.md and DIR/accuracy/*.png. All measured numbers come from files."""
+"""The page of `./dev cost`:  python3 -m plot.pages.accuracy FOLDER [--into DIR].  What accuracy costs with every
+method: pictures, the price list, what is claimed and whether it holds, and which stepper to take when. FOLDER is what
+vti-study --cost wrote, and may hold spin/STEPPER.h5 of `vti-run scenes/spin.yaml`, first and last frame. The page
+accuracy.md and its pictures go beside it, or with --into as DIR/accuracy.md and DIR/accuracy/*.png. All measured
+numbers come from files."""
 import os
 
 import numpy as np

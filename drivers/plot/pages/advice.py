@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first part of the page, for users: which stepper when, what it costs and what it keeps, with what a cost study has to say
-filled in. What the scenes are is told here too."""
+"""The first part of the page, for users: which stepper when, what it costs and what it keeps, with what a cost study
+has to say filled in. What the scenes are is told here too."""
 import numpy as np
 
 from .. import methods
@@ -131,7 +131,8 @@ def _cell(cost, scene, error):
 
 
 def _gain(cost, contact):
-    """How much less the best of ours takes than vti2, scene by scene, at the smallest of ERRORS that vti2 reaches, too."""
+    """How much less the best of ours takes than vti2, scene by scene, at the smallest of ERRORS that vti2 reaches,
+    too."""
     parts = []
     for scene in (scene for scene in cost.scenes() if touches(scene) is contact and "vti2" in cost.prices[scene]):
         for error in reversed(ERRORS):

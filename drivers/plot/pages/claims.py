@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is claimed of our steppers, held against a cost study: the best of ours against the best rival, and `exact` against
-every quaternion Verlet at equal time."""
+"""What is claimed of our steppers, held against a cost study: the best of ours against the best rival, and `exact`
+against every quaternion Verlet at equal time."""
 import numpy as np
 
 from .. import methods
@@ -44,16 +44,16 @@ def _against_best(cost, scene, error, most, written):
 
 
 def goals(cost, rivals=None):
-    """head and rows for page.Page.table: what was wanted, what was found, by how much it was missed. rivals: the ones that are
-    compared with; None: all."""
+    """head and rows for page.Page.table: what was wanted, what was found, by how much it was missed. rivals: the ones
+    that are compared with; None: all."""
     rows = [[scene, *(_goal(cost, scene, error, wanted, rivals) for error, wanted in zip(GOAL_ERRORS, GOALS[scene])),
              *["-"] * (len(GOAL_ERRORS) - len(GOALS[scene]))] for scene in GOALS if scene in cost.prices]
     return ["evaluations to", *map(price_list.power, GOAL_ERRORS)], rows
 
 
 def room(cost):
-    """head and rows: where a goal of the largest error is missed, the evaluations that it asks for, and the fewest with which
-    any run of any method follows the motion. Runs of too few are unstable, or see nothing of what happens."""
+    """head and rows: where a goal of the largest error is missed, the evaluations that it asks for, and the fewest with
+    which any run of any method follows the motion. Runs of too few are unstable, or see nothing of what happens."""
     rows = []
     for scene in (scene for scene in GOALS if scene in cost.prices):
         _, other, found = price_list.ratio(cost, scene, GOAL_ERRORS[0], "force_evals")
@@ -106,7 +106,8 @@ def _equal_time_row(rival, found):
 
 
 def equal_time(mine, other):
-    """Error of mine over error of other at the times of other's runs: logarithms interpolated between the runs of mine."""
+    """Error of mine over error of other at the times of other's runs: logarithms interpolated between the runs of
+    mine."""
     order = np.argsort(mine["seconds"], kind="stable")
     times, errors = mine["seconds"][order], mine["attitude_error"][order]
     good = np.isfinite(times) & (times > 0) & (errors > 0)

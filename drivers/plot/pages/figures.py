@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev figures`:  python3 -m plot.pages.figures FOLDER.  Figure by figure of the paper: what was computed, what
-agrees with the print and what does not, and why. Every number on it is read from the files that this FOLDER holds, and
-whether it agrees is decided here from these numbers."""
+"""The page of `./dev figures`:  python3 -m plot.pages.figures FOLDER.  Figure by figure of the paper: what was
+computed, what agrees with the print and what does not, and why. Every number on it is read from the files that this
+FOLDER holds, and whether it agrees is decided here from these numbers."""
 import os
 import sys
 

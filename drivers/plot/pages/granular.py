@@ -66,8 +66,8 @@ def slope(x, radius):
 
 
 def wedge(x, radius):
-    """Degrees of the wedge against the wall at x = 0 that has the heap's centre of mass: its height over its distance. All
-    beads count, and the beads of the foot as much as those of the slope."""
+    """Degrees of the wedge against the wall at x = 0 that has the heap's centre of mass: its height over its distance.
+    All beads count, and the beads of the foot as much as those of the slope."""
     inside = heap(x, radius)
     middle = np.average(x[inside], axis=0, weights=radius[inside] ** 3)
     return float(np.degrees(np.arctan2(middle[2], middle[0])))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev inertia`:  python3 -m plot.pages.inertia FOLDER [--into DIR].  Bodies of three moments: errors,
 orders and prices of our steppers and of what others use. FOLDER holds table-SCENE and orders-SCENE, which vti-study
-wrote, and cost, of vti-study --cost; the page inertia.md and its picture go beside them, or with --into as DIR/inertia.md and
-DIR/inertia/prices.png."""
+wrote, and cost, of vti-study --cost; the page inertia.md and its picture go beside them, or with --into as
+DIR/inertia.md and DIR/inertia/prices.png."""
 import csv
 import os
 import textwrap

@@ -92,8 +92,8 @@ def _marked(text):
 
 
 def write_page(name, source, build):
-    """The program of a page: FOLDER [--into DIR]. build(folder, into, below) is told where the page goes and below which folder
-    beside it its pictures go; None: beside it."""
+    """The program of a page: FOLDER [--into DIR]. build(folder, into, below) is told where the page goes and below
+    which folder beside it its pictures go; None: beside it."""
     parser = argparse.ArgumentParser(prog=f"python3 -m plot.pages.{name}", description=f"The page {name}.md.")
     parser.add_argument("folder", help=source)
     parser.add_argument("--into", metavar="DIR", help=f"write DIR/{name}.md and its pictures into DIR/{name} (default: into the "

@@ -17,8 +17,8 @@ def order_and_errors(rows):
 
 
 def steps_to(rows, error):
-    """The fewest steps from which on errors are at most that, between two runs by the power of the steps that joins them;
-    infinity if the finest run's is larger."""
+    """The fewest steps from which on errors are at most that, between two runs by the power of the steps that joins
+    them; infinity if the finest run's is larger."""
     above = [k for k, row in enumerate(rows) if row["error"] > error]
     if not above:
         return rows[0]["steps"]

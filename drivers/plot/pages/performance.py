@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
-machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
-UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv, scaling.csv, ranks.csv, flops.csv and
-shared.csv of the programs of these names in bench/ (the last two take valgrind, and may be missing), and lammps.csv and built.csv of
-bench/peers/speed.py and others.csv and others.txt of codes.py, where these codes are. Page and pictures go beside them, or with --into as DIR/performance.md and DIR/performance/*.png."""
+"""The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on
+this machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER
+holds UNITS.csv and UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv,
+scaling.csv, ranks.csv, flops.csv and shared.csv of the programs of these names in bench/ (the last two take valgrind,
+and may be missing), and lammps.csv and built.csv of bench/peers/speed.py and others.csv and others.txt of codes.py,
+where these codes are. Page and pictures go beside them, or with --into as DIR/performance.md and
+DIR/performance/*.png."""
 import csv
 import os
 
@@ -24,7 +26,8 @@ TOPS = {"drift: sphere": "a sphere's drift", "drift: Strang": "drift, rotor 2 (S
         "three moments: vti2 next": "step, `vti2 next`"}
 STUDY_STEP = ["stepper", "step_ns", "study_ns", "ratio", "least", "most"]
 MEMORY = ["of", "one_thread_bytes", "two_threads_bytes"]
-STATE, BOND = 8 * 12, 8 * 6 + 16 # bytes of a body: four vectors; of a bond: two indices, n0, L0, and a third of two vectors
+# bytes of a body: four vectors; of a bond: two indices, n0, L0, and a third of two vectors
+STATE, BOND = 8 * 12, 8 * 6 + 16
 HELD = {"body": ("a body that touches nothing", STATE), "bond": ("a bond", BOND), "touching": ("a body that touches its neighbours", None),
         "rubbing": ("a body that touches them, with friction and dashpots", None)}
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What limits a step, by its operations and bytes, and what cores share: measured to the cores that there are, modelled beyond."""
+"""What limits a step, by its operations and bytes, and what cores share: measured to the cores that there are, modelled
+beyond."""
 import os
 
 import numpy as np
@@ -15,9 +16,10 @@ RANKS = ["what", "tasks", "ranks", "seconds"]
 ABREAST = "lattices at once"
 CORES = {"lattice": "`vti-run --threads`", ABREAST: "`vti-run`s of one thread at once", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 
-# Bytes that come from memory or go there where each is needed once. A step in two phases moves 52 numbers of a body. A bond has two
-# indices, n0 and L0 of its own; for its effect a body's x and alpha are read, force and moment written. So a third of a body's for each
-# bond or pair of the lattice. A listed pair has two indices, and of the bodies x and force.
+# Bytes that come from memory or go there where each is needed once. A step in two phases moves 52 numbers of a body. A
+# bond has two indices, n0 and L0 of its own; for its effect a body's x and alpha are read, force and moment written. So
+# a third of a body's for each bond or pair of the lattice. A listed pair has two indices, and of the bodies x and
+# force.
 NUMBER, BONDS = 8, 3
 STEP = 52 * NUMBER
 BOND = 6 * NUMBER + 12 * NUMBER / BONDS
@@ -92,7 +94,8 @@ def roofline(bench, rows, sizes, peak, path):
             axes.plot(flops / BYTES[what], flops / time_of(bench, what, n), look.marker, color=look.colour, markersize=5 + 2.5 * k,
                       fillstyle="none" if k else "full", label=NAMES[what].replace("`", "") if k == 0 else None)
     axes.set(title=f"One core, {bench.units}; marks grow with n", xlabel="operations per byte", ylabel="GFlop/s", xscale="log", yscale="log")
-    axes.yaxis.set_major_formatter("{x:g}")  # of two decades or less, so that others than powers of ten have numbers too
+    # of two decades or less, so that others than powers of ten have numbers too
+    axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_formatter(LogFormatter(minor_thresholds=(2, 0.5)))
     axes.legend(loc="lower right", fontsize="small")
     style.save(figure, path)

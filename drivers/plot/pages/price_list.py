@@ -41,9 +41,10 @@ def ratio(cost, scene, error, column="seconds", measure=None, rivals=None):
 
 
 def factor(ladder, column="seconds"):
-    """What a factor of ten in accuracy costs: the geometric mean of the ratios of prices of neighbouring decades, over the
-    range that is reached; NaN with fewer than two. The coarsest price may be that of the largest step that goes at all,
-    which is no trade of error against cost: first ratios of less than 1.05 are left out, and if these are all, it is NaN."""
+    """What a factor of ten in accuracy costs: the geometric mean of the ratios of prices of neighbouring decades, over
+    the range that is reached; NaN with fewer than two. The coarsest price may be that of the largest step that goes at
+    all, which is no trade of error against cost: first ratios of less than 1.05 are left out, and if these are all, it
+    is NaN."""
     good = np.isfinite(ladder[column])
     values, decades = ladder[column][good], -np.log10(ladder["error"][good])
     while len(values) > 1 and values[1] < 1.05 * values[0]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Price lists drawn: what an error costs, in force evaluations and in time, over the error. The methods of order 2 are one band;
-those that are the cheapest of their family somewhere have a name beside the panel, the others are thin and grey. No family has grey."""
+"""Price lists drawn: what an error costs, in force evaluations and in time, over the error. The methods of order 2 are
+one band; those that are the cheapest of their family somewhere have a name beside the panel, the others are thin and
+grey. No family has grey."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +16,8 @@ AXES = {"attitude": "attitude error at the end (rad)", "position": "position err
         "velocity": "relative velocity error at the end", "energy": r"largest energy error, $|E_h-E_0|\,/\,|E_0|$"}
 COLOURS = {"ours": ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F"), "paper": ("#D55E00", "#E69F00"),
            "rival": ("#000000", "#882255", "#CC79C4", "#C2185B", "#7B3FA7", "#4A1942")}
-MARKERS = {"ours": ("o", 4), "paper": ("v", 5), "rival": ("s", 4)}     # of families, without colours, too; and their sizes
+# of families, without colours, too; and their sizes
+MARKERS = {"ours": ("o", 4), "paper": ("v", 5), "rival": ("s", 4)}
 OTHER = "#c4c4c4"       # of methods without a name
 BAND, RIM, BAND_NAME = "#F3ECC0", "#B9A955", "#857520"
 COSTS = {"force_evals": "force evaluations", "seconds": "time (s)"}
@@ -146,8 +148,8 @@ def name_ends(axes, ends):
 
 
 def apart(heights):
-    """Rising heights of names, moved as little as can be (the sum of squares) so that none covers another and all are between 0 and
-    1, if there is room: those that are too close are a group around their own middle."""
+    """Rising heights of names, moved as little as can be (the sum of squares) so that none covers another and all are
+    between 0 and 1, if there is room: those that are too close are a group around their own middle."""
     groups = []     # of heights less those that the names below take up: mean, and of how many
     for k, height in enumerate(heights):
         groups.append((height - k * APART, 1))

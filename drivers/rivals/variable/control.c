@@ -2,8 +2,7 @@
  *
  * M. Galassi et al., GNU Scientific Library Reference Manual, 3rd ed. (2009), "Adaptive Step-size Control": with
  * E_i/D_i the estimated over the desired error of component i, D_i = epsilon u_i + epsilon |y_i|, u_i = 1 unless units
- * are given, r the largest of them,
- * q = 8 the order,
+ * are given, r the largest of them, q = 8 the order,
  *
  *     h <- 0.9 r^(-1/q) h         if r > 1.1,  at least h/5 (and the step is made again)
  *     h <- 0.9 r^(-1/(q+1)) h     if r < 0.5,  between h and 5 h

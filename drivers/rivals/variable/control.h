@@ -13,8 +13,8 @@ gsl_odeiv2_control *control_new(double epsilon);
 /** From now on the absolute part of what is desired of component i is epsilon unit[i]. */
 void control_in_units(gsl_odeiv2_control *control, const double *unit);
 
-/** What rounding leaves of a smaller error: a step h cannot know component i better than h noise[i], noise[i] being what
- *  the last bits of a state change in its rate. */
+/** What rounding leaves of a smaller error: a step h cannot know component i better than h noise[i], noise[i] being
+ *  what the last bits of a state change in its rate. */
 struct control_floor {
     const double *noise; /* [components] */
     double highest;      /* largest h noise[i]/unit[i] above the error that was asked for; 0: there was none */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Steps of variable length end where they end. The last one, cut to end where the caller wants to look, is undone before
- * the next: so neither the path nor the number of evaluations depends on how often somebody looks. A cut at the end of
- * the run alone leaves no trace in a course's numbers: the run may go on, as if it had not been. */
+ * Steps of variable length end where they end. The last one, cut to end where the caller wants to look, is undone
+ * before the next: so neither the path nor the number of evaluations depends on how often somebody looks. A cut at the
+ * end of the run alone leaves no trace in a course's numbers: the run may go on, as if it had not been. */
 #ifndef VTI_RIVALS_CUT_H
 #define VTI_RIVALS_CUT_H
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the installed package share: a library that is built and installed for them, and running commands."""
+"""What the tests of the installed package share: a library that is built and installed for them, and running
+commands."""
 import atexit
 import json
 import os

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The installed library is used from a folder of its own: by pkg-config from C and Fortran, shared and static, by CMake from
+"""The installed library is used from a folder of its own: by pkg-config from C and Fortran, shared and static, by CMake
+from
 C, C++ and Fortran, and after it has been moved; DESTDIR; what is installed and what is not.    test_installed.py PROJECT"""
 import pathlib
 import re

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plain way of README.md, as it stands there: setup of everything, and the library alone built, installed and used, by a
+"""The plain way of README.md, as it stands there: setup of everything, and the library alone built, installed and used,
+by a
 folder of commands that has a C compiler and no other.      test_plain.py PROJECT"""
 import os
 import pathlib

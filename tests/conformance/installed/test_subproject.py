@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""In another project's tree vti is a library and nothing more, unless that project asks.       test_subproject.py PROJECT"""
+"""In another project's tree vti is a library and nothing more, unless that project asks.  test_subproject.py PROJECT"""
 import json
 import pathlib
 import re

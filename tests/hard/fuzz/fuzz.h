@@ -5,7 +5,6 @@
 #ifndef VTI_FUZZ_H
 #define VTI_FUZZ_H
 
-#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>

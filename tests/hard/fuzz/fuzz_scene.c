@@ -2,6 +2,8 @@
  * Any bytes as a scene file: refused with one line, or a scene of which a model can be made and stepped. */
 #include "fuzz.h"
 
+#include <math.h>
+
 #include "../../settings.h"
 #include "loop.h"
 #include "table.h"

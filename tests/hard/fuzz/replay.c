@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * A fuzz target without libFuzzer: every file in the folders that are the arguments, whole, cut at every byte, and with
- * seeded
- * changes.      replay FOLDER... */
+ * seeded changes.      replay FOLDER... */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
 #include <sys/stat.h>
