@@ -68,8 +68,8 @@ extern "C" {
         "an effect does not report its springs, so that the stable step has no bound; give it springs, "               \
         "vti_springs_none if its force does not change with position, or leave it out to bound the others")            \
     ROW(VTI_E_NEEDS, -19,                                                                                              \
-        "an effect needs what the bodies do not have: x, v, an attitude, omega, mass or inertia, as its needs or its " \
-        "terms say, or has a bit in needs that is no quantity; give the bodies that view, or leave the effect out")    \
+        "an effect needs a view that the bodies lack (x, v, an attitude, omega, mass or inertia), or its needs have "   \
+        "an unknown bit; give the bodies that view, or leave the effect out")                                          \
     ROW(VTI_E_DAMPING, -20,                                                                                            \
         "a coefficient of drag, damping or friction is negative or not finite, or the velocity of a medium is not "    \
         "finite, or friction has no stiffness, or two, or a reach is not positive; give finite numbers >= 0, one "     \

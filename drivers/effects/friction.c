@@ -212,7 +212,7 @@ static void limit(const struct effect *e, const vti_deformation *at, const vti_s
         snprintf(text, size_of_text, "friction of bodies %lld and %lld", (long long)stable->i, (long long)stable->j);
     else
         snprintf(text, size_of_text,
-                 at != NULL && at->meet ? "friction that may come to body %lld" : "friction at body %lld",
+                 at != NULL && at->meet ? "friction of a future contact of body %lld" : "friction at body %lld",
                  (long long)stable->i);
 }
 

@@ -82,6 +82,5 @@ def _drift_text(t, error):
 def _facts(run, t, energy0):
     parts = []
     if len(t) > curves.SLICES:
-        parts.append(f"Band: from the smallest to the largest of {len(t):,} values in each 1/{curves.SLICES} of the time; "
-                     "line: their mean.")
+        parts.append(f"Band: smallest to largest value in each 1/{curves.SLICES} of the time ({len(t):,} values in all); line: mean.")
     return "  ".join([*parts, f"$E_0$ = {words.given(energy0)}.  vti {words.plain(run.version)}"])

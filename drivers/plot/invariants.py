@@ -10,6 +10,7 @@ from matplotlib.ticker import FixedLocator, NullLocator
 from . import curves, style, words
 from .curves import EPS
 
+FEW_EPS = 0.01          # below this nothing but rounding shows
 MANY_EPS = 1e4          # beyond this a deviation is no longer rounding and is shown as a plain number
 
 
@@ -112,6 +113,9 @@ def _draw_invariant(axes, label, lines, looks):
         axes.set_title(f"{label}: not finite\n({words.listing(map(words.stepper_name, lost))})")
     elif largest == 0:
         axes.set_title(f"{label}: kept exactly")
+        axes.set_ylim(-1, 1)
+    elif largest < FEW_EPS * EPS:
+        axes.set_title(f"{label}: kept to rounding")
         axes.set_ylim(-1, 1)
     elif largest <= MANY_EPS * EPS:
         axes.set_title(rf"{label}: kept within {words.number(largest / EPS)} $\varepsilon$")

@@ -120,6 +120,6 @@ def _verdict(fate):
 def _draw_legend(axes, largest):
     handles = [Line2D([], [], color=colour, linewidth=2, label=f"${axis}$") for axis, colour in LOOKS]
     handles.append(Line2D([], [], color=style.GREY, linestyle=":", linewidth=1.2,
-                          label=r"rounding at random: $\varepsilon\sqrt{t/h}$ of what is exchanged: "
-                          + ", ".join(f"${panel.symbol}$ {words.number(value)}" for panel, value in largest.items())))
+                          label=r"expected rounding: $\varepsilon\sqrt{t/h}$ times the momentum exchanged ("
+                          + ", ".join(f"${panel.symbol}$ {words.number(value)}" for panel, value in largest.items()) + ")"))
     axes.legend(handles=handles, loc="center", ncol=4, borderaxespad=0)

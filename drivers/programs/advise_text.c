@@ -34,7 +34,7 @@ static const char *const sources[] = {"", "(from the stable step alone)", "(from
 static void say_offer(const struct offer *o, int width, FILE *file)
 {
     if (o->steps == 0) {
-        fprintf(file, "  %-*s       too dear to tell\n", width, o->stepper->name);
+        fprintf(file, "  %-*s       not determined within --budget\n", width, o->stepper->name);
         return;
     }
     fprintf(file, "  %-*s %10.4g %10lld ", width, o->stepper->name, o->h, (long long)o->steps);
@@ -108,7 +108,7 @@ void advise_text(const struct scene *scene, const struct advice *a, FILE *file)
     }
     say_best(scene, a, file);
     fprintf(file, "  %-*s %10s %10s %12s %10s %9s %9s %9s %9s %9s\n", width, "stepper", "h", "steps", "force evals",
-            "time  ", cost_measures[0], cost_measures[1], cost_measures[2], cost_measures[3], "within");
+            "time  ", cost_measures[0], cost_measures[1], cost_measures[2], cost_measures[3], "at most");
     for (int64_t k = 0; k < a->count; ++k)
         say_offer(&a->offers[k], width, file);
     fputc('\n', file);

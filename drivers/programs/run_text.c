@@ -65,8 +65,8 @@ static void say_step(struct run *run, FILE *file)
     }
     if (travel_tally(&run->travel, &tally)) {
         fprintf(file,
-                "%s to t = %.10g: steps with estimated errors of at most %.4g in velocity and spin; rows and frames at "
-                "multiples of h = %s\n",
+                "%s to t = %.10g: steps with estimated errors of at most %.4g in velocity and angular velocity; rows "
+                "and frames at multiples of h = %s\n",
                 stepper->name, (double)run->steps * h, tally.tolerance, NUMBER(h));
         return;
     }
@@ -132,6 +132,15 @@ static void say_files(const struct run *run, FILE *file)
                 run->files.folder, size_text(sizes.space, space), size_text(sizes.needed, needed));
 }
 
+/** "a row every step (0.01 of time)", "a frame every 50 steps (0.5 of time)"; of steps that vary "every 50 h" */
+static void say_every(const char *what, int64_t every, int varies, double h, FILE *file)
+{
+    fprintf(file, "%s every ", what);
+    if (every != 1)
+        fprintf(file, "%lld ", (long long)every);
+    fprintf(file, "%s (%.6g of time)", varies ? "h" : every == 1 ? "step" : "steps", (double)every * h);
+}
+
 void run_text_start(struct run *run, FILE *file)
 {
     const double wanted = run->scene.t_end, h = run->scene.h;
@@ -144,10 +153,9 @@ void run_text_start(struct run *run, FILE *file)
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
         fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);
-    fprintf(file, "a row every %lld %s (%.6g of time) and a frame every %lld (%.6g)",
-            (long long)run->checkpoint.record_every, travel_tally(&run->travel, &tally) ? "h" : "steps",
-            (double)run->checkpoint.record_every * h, (long long)run->checkpoint.frames_every,
-            (double)run->checkpoint.frames_every * h);
+    const int varies = travel_tally(&run->travel, &tally);
+    say_every("a row", run->checkpoint.record_every, varies, h, file);
+    say_every(" and a frame", run->checkpoint.frames_every, varies, h, file);
     say_files(run, file);
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
@@ -164,7 +172,7 @@ void run_text_start(struct run *run, FILE *file)
 void run_text_done(const struct run *run, FILE *file)
 {
     fprintf(file,
-            "%s: the run is complete, to t = %.10g; there is nothing to do (a later --t-end prolongs it)\n"
+            "%s: the run is complete, to t = %.10g; there is nothing to do (a later --t-end extends it)\n"
             "verdict: %s\n",
             run->output, (double)run->steps * run->scene.h, verdict_word(run->record.judgement.verdict));
 }
@@ -198,9 +206,9 @@ void run_text_end(const struct run *run, FILE *file)
 {
     const double scale = run->energy0 != 0.0 ? fabs(run->energy0) : 1.0;
     const int xdmf = run_files_has_xdmf(&run->files, &run->record);
-    fprintf(file, "energy: %.10g at t = 0, %.10g at t = %.10g; change %.3g, at most %.3g%s\n", run->energy0,
-            run->energy1, run->t, (run->energy1 - run->energy0) / scale, run->drift / scale,
-            run->energy0 != 0.0 ? " of it" : "");
+    fprintf(file, "energy: %.10g at t = 0, %.10g at t = %.10g; %schange %.3g, largest %.3g\n", run->energy0,
+            run->energy1, run->t, run->energy0 != 0.0 ? "relative to that at t = 0: " : "",
+            (run->energy1 - run->energy0) / scale, run->drift / scale);
     struct travel_tally tally;
     if (travel_tally(&run->travel, &tally))
         fprintf(

@@ -9,7 +9,7 @@ static void say_bound(const vti_stable *stable, const char *by, const vti_steppe
     if (isnan(step))
         fputs("not known", file);
     else if (isinf(step))
-        fputs("nothing oscillates", file);
+        fputs("no limit (nothing is in contact or bonded)", file);
     else if (step == 0.0)
         fprintf(file, "no step is sure, for %s", by);
     else
@@ -30,7 +30,7 @@ void stable_say(const struct model_limits *l, const vti_stepper *stepper, double
         fprintf(file, "bonds strained by up to %.2g", l->at.strain);
     if (l->at.overlap > 0.0)
         fprintf(file, "%scontacts overlapped by up to %.2g", l->at.strain > 0.0 ? " and " : "", l->at.overlap);
-    fputs(", as far as the energy of single bodies takes them: ", file);
+    fputs(" (estimated from the energy of single bodies): ", file);
     say_bound(&l->within, l->within_by, stepper, h, file);
 }
 

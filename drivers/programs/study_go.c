@@ -91,7 +91,8 @@ static void say_study(const struct study *study, const char *folder)
     say_times(study);
     study_table_write(study, stdout);
     const int dissipates = model_dissipates(&study->model) != NULL;
-    printf("\nreference: %s, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
+    printf("\nreference: %s, its energy constant to %.0e in units of the scene, the solution known to %.0e; "
+           "||q||^2 = %.13g\n",
            dissipates ? "chin4 by a fourth of the shortest step, what is lost counted in" : "rk8pd",
            number_plain(study->reference_energy_error), number_plain(study->reference_uncertainty),
            number_plain(study->norm_squared));

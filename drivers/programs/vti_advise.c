@@ -33,7 +33,7 @@ static const struct option_row rows[] = {
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--measure", "WHAT", OPTION_TEXT, &measure, OPTION_ANY,
      "of what the error is: attitude, position, velocity or energy (default: attitude; velocity where no effect "
-     "changes how bodies turn; position where all that acts is a medium that slows ways)"},
+     "changes how bodies turn; position where drag is the only effect)"},
     {"--budget", "SECONDS", OPTION_NUMBER, &budget, 0, 0, "60 or 1e3",
      "how long pilots may take (default: 0.3 of the run that is advised on, as long as that with contacts or walls; "
      "half a second is always allowed, some seconds with clumps or friction)"},

@@ -117,9 +117,10 @@ static int check_all(void)
 
 static int print_names(void)
 {
-    for (int64_t i = 0; known_at(i) != NULL; ++i) {
-        const vti_stepper *m = known_at(i);
-        printf("--%-8s %-24s %s\n", method_rival(m) != NULL ? "rival" : "stepper", m->name, m->about);
+    for (int64_t i = 0; method_named_at(i) != NULL; ++i) {
+        const vti_stepper *m = method_named_at(i);
+        if (method_moves(m, inertia))
+            printf("--%-8s %-24s %s\n", method_rival(m) != NULL ? "rival" : "stepper", m->name, m->about);
     }
     return 0;
 }

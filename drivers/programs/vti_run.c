@@ -25,9 +25,9 @@ static const struct option_row rows[] = {
     {"--h", "H", OPTION_KEY, &sets, OPTION_ANY,
      "step (default: the scene's); numbers may be written 0.01, 1/64 or 2^-6"},
     {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
-     "choose steps whose estimated error in velocity and spin is at most that; for srkn11, srkn14 and srkn6, and H is "
-     "then only the unit of --record and --frames, and 2^-26 H the shortest step; each row takes a further step, so "
-     "there are about 100"},
+     "choose steps whose estimated error in velocity and angular velocity is at most TOL; for srkn11, srkn14 and "
+     "srkn6. H is then the unit of --record and --frames, and the shortest step is 2^-26 H. Each row costs one more "
+     "step, so the default is about 100 rows"},
     {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
      "integrating: steps that follow how fast bodies turn, for reversible steppers such as srkn6, whose energy keeps "
      "without drift; naive: the same without that, to compare with; H is the step at rest and the unit of --record, "
@@ -35,8 +35,8 @@ static const struct option_row rows[] = {
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--record", "EVERY", OPTION_WHOLE, &request.record_every, 1, 0x1p53, "50 or 1e3",
-     "steps between rows of energies and momenta (default: about 1000 rows; from 1000 bodies on a row for some ten "
-     "steps, but 100)"},
+     "steps between rows of energies and momenta (default: about 1000 rows; from 1000 bodies on one row per ten steps "
+     "or so, but at least 100 rows)"},
     {"--frames", "EVERY", OPTION_WHOLE, &request.frames_every, 1, 0x1p53, "50 or 1e3",
      "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
     {"--fields", "force,moment,lost", OPTION_TEXT, &fields, OPTION_ANY,

@@ -54,8 +54,8 @@ static const struct option_row rows[] = {
     {"--t-end", "T", OPTION_TEXT, &end_times, OPTION_ANY,
      "end time (default: the scene's). A run takes the whole steps that fit into it"},
     {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
-     "choose steps whose estimated error in velocity and spin is at most that, of srkn11, srkn14 and srkn6; the steps "
-     "of --h are then only where runs are compared"},
+     "choose steps whose estimated error in velocity and angular velocity is at most TOL; for srkn11, srkn14 and "
+     "srkn6. The steps of --h are then only where runs are compared"},
     {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
      "integrating or naive: steps of up to h that follow how fast bodies turn, as in vti-run"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},

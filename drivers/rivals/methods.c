@@ -64,6 +64,11 @@ const vti_stepper *method_at(int64_t i)
     return i >= 0 && i < method_count() ? methods[i] : NULL;
 }
 
+const vti_stepper *method_named_at(int64_t i)
+{
+    return i >= 0 && method_count() > 0 && i < methods_all ? methods[i] : NULL;
+}
+
 int method_moves(const vti_stepper *method, int moments)
 {
     const struct rival *rival = method_rival(method);

@@ -23,6 +23,8 @@ const vti_stepper *method_at(int64_t i);
 const vti_stepper *method_general_at(int64_t i);
 /** Whether it moves bodies of three moments, or spheres if moments is 0. */
 int method_moves(const vti_stepper *method, int moments);
+/** All that method_find knows. NULL outside of them. */
+const vti_stepper *method_named_at(int64_t i);
 /** Also those that are not listed. NULL if there is none. */
 const vti_stepper *method_find(const char *name);
 /** NULL for a method of the core. */

@@ -113,7 +113,7 @@ static int identify(struct run *run, struct message *message)
     identity_version(text);
     identity_scene(text, "", &run->scene, without);
     if (run->scene.by_body)
-        fputs("books: of each body (--fields lost)\n", text);
+        fputs("fields: energy lost by each body (--fields lost)\n", text);
     fputs("columns:", text);
     for (int c = 0; c < columns->count; ++c)
         fprintf(text, " %s", columns->name[c]);

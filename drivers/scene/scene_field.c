@@ -57,9 +57,9 @@ static const struct scene_field head[] = {
     {"bodies.inertia", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(inertia), "moment of inertia J",
      "Of each body about its centre; that of a solid sphere without it, if mass and diameter are known.", NULL},
     {"bodies.moments", SCENE_VECTOR, SCENE_MAY, SCENE_POSITIVE, AT(moments), "principal moments of inertia A, B, C",
-     "Of each body about its centre, in the place of inertia; none is more than the sum of the others; of "
-     "steppers those of the library's lists of kicks and drifts step them, and the "
-     "rivals that vti-run --list steppers names for them.",
+     "Of each body about its centre, in place of inertia; none is more than the sum of the others. Not with multistep "
+     "methods; of the rivals, with those that vti-run --list steppers marks \"bodies of three moments\" and with "
+     "Runge-Kutta methods.",
      NULL},
     {"bodies.principal", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(principal),
      "attitude of the principal axes in the body",
@@ -109,9 +109,9 @@ static const struct scene_word controls[] = {{"integrating", SCENE_INTEGRATING},
 static const struct scene_field tail[] = {
     {"stepper", SCENE_STEPPER, SCENE_MAY, SCENE_ANY, AT(stepper), "integrator",
      "vti2 without it; vti-run --list steppers names them all.", NULL},
-    {"rotor", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(rotor), "order of a free body's turn",
-     "Of bodies with three moments, by 3, 5 or 21 turns a drift; without it that of the stepper: 4 of exact, srkn6 and "
-     "chin4, 6 of srkn11 and srkn14, else 2. Rivals have their own.",
+    {"rotor", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(rotor), "order of the free rotation",
+     "Of bodies of three moments: 2, 4 or 6, by 3, 5 or 21 turns per drift. Default: 4 with exact, srkn6 and chin4, 6 "
+     "with srkn11 and srkn14, else 2. Rivals have their own.",
      rotors},
     {"h", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(h), "time step", "Time.", NULL},
     {"tolerance", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(tolerance), "estimated error of a step",

@@ -27,7 +27,8 @@ static const char *const kinds[SCENE_KINDS] = {[SCENE_SECTION] = "section",
 static void list_steppers(FILE *file)
 {
     for (int64_t k = 0; scene_stepper_at(k) != NULL; ++k)
-        fprintf(file, "%s\t%s\n", scene_stepper_at(k)->name, scene_stepper_at(k)->about);
+        if (scene_stepper_at(k)->frame == VTI_FRAME_SPACE) /* others are for hosts, and refused */
+            fprintf(file, "%s\t%s\n", scene_stepper_at(k)->name, scene_stepper_at(k)->about);
 }
 
 static void list_effects(FILE *file)

@@ -98,13 +98,13 @@ static void say_energy(const struct verdict *v, const struct judgement *j, int b
         SAY("%.3g of the energy's scale was lost; ", f->loss / verdict_scale(f));
     else
         SAY("energy kept, gains %.2g of its scale (bad above %.2g); ", j->energy_gain, VERDICT_MOST_GAIN);
-    SAY("swing %.2g, ", j->energy_swing);
-    if (isnan(j->energy_slope))
-        SAY("too few rows for a drift");
-    else
-        SAY("drift %.2g +- %.1g per unit of time", share_of_scale(f, j->energy_slope),
+    SAY("swing %.2g", j->energy_swing);
+    if (!isnan(j->energy_slope))
+        SAY(", drift %.2g +- %.1g per unit of time", share_of_scale(f, j->energy_slope),
             share_of_scale(f, j->energy_slope_error));
-    SAY(" (scale %.4g)", f->scale);
+    SAY(" (%s of the scale %.4g)", isnan(j->energy_slope) ? "share" : "shares", f->scale);
+    if (isnan(j->energy_slope))
+        SAY(", too few rows for a drift");
 }
 
 static void say_steps(const struct verdict *v, const struct judgement *j, struct message *line)
@@ -130,14 +130,15 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     if (f->slowing > much_slowing)
         SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", f->slowing);
     if (way_error(v) > much_of_way)
-        SAY("; h is %.3g times the time m/c in which drag slows a body: ways and angles of what is only slowed are up "
-            "to %.2g of themselves off; %s",
+        SAY("; h is %.3g times the time m/c in which drag slows a body: displacements and angles of what drag alone "
+            "slows are off by up to %.2g of themselves; %s",
             f->slowing_free, way_error(v), remedy(v));
     if (f->rounding > much_rounding)
-        SAY("; bodies are so far from the origin that rounding takes up to %.2g of their way in a step: move it nearer",
+        SAY("; bodies are so far from the origin that rounding takes up to %.2g of their displacement in a step: move "
+            "it nearer",
             f->rounding);
     if (j->bonds_turned > 0)
-        SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
+        SAY("; %lld bond%s turned past half a turn", (long long)j->bonds_turned, j->bonds_turned > 1 ? "s" : "");
 }
 
 struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line)
@@ -173,8 +174,8 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
     const double rounding = v->model->translates ? verdict_rounding(v, bodies, &fastest) : 0.0;
     if (rounding > much_rounding)
         message_set(&lines[n++],
-                    "bodies are so far from the origin that rounding takes up to %.2g of their way in a step; move the "
-                    "origin nearer, or take a larger h",
+                    "bodies are so far from the origin that rounding takes up to %.2g of their displacement in a "
+                    "step; move the origin nearer, or take a larger h",
                     rounding);
     const double far = v->diameter > 0.0 ? verdict_travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
     if (far > much_travel(v))

@@ -53,7 +53,10 @@ check(all(line[25:].strip() for line in out.splitlines()), "... of which each li
 check(run("--inertia", "--rival", "no-squish")[0] == 0 and "--rival    buss" in run("--inertia", "--list")[1], "... each, and by name")
 
 code, out, err = run("--list")
-check(code == 0 and "--stepper vti2" in " ".join(out.split()) and "--rival lgvi" in " ".join(out.split()), "--list names both kinds")
+named = {tuple(line.split()[:2]) for line in out.splitlines()}
+check(code == 0 and {("--stepper", "vti2"), ("--rival", "lgvi")} <= named, "--list names both kinds")
+check({("--rival", name) for name in ("campello-0", "campello-1", "abm4")} <= named, "... and rivals that are checked by name only")
+check(("--rival", "no-squish") not in named and "order 1" in run("--rival", "campello-1")[1], "... but none of other bodies")
 check(run("--help")[0] == 0 and "Usage" in run("--help")[1], "--help helps")
 for arguments, why in ((("--stepper", "lgvi"), "no stepper of that name"), (("--rival", "vti2"), "no rival of that name"),
                        (("--rival", "no-squish"), "no-squish: moves bodies of three moments; add --inertia"),

@@ -204,6 +204,8 @@ def test_pictures(vti_plot, folder):
     performance.picture(benches, "")
     flops = {"step": 80, "bond": 280, "touching pair": 21}
     performance_models.roofline(benches[0], {what: {"flops": str(count)} for what, count in flops.items()}, [27], 50.0, "")
+    check(performance_models.marks_text([1000, 100000, 1000000]) == "filled: n = 1000, open: 1e5 (small), 1e6 (large)",
+          "marks of roofline.png")
     drawn = [{line.get_label(): tuple(line.get_xydata()[-1]) for axes in figure.axes for line in axes.lines} for figure in figures]
     found = {label: y for label, (_, y) in drawn[0].items()}
     wanted = {f"{what}, {units}": ns for units in ("AVX2", "SSE2") for what, ns in (("vti2", 20), ("bond", 7), ("touching pair", 6))}

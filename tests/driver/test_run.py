@@ -221,11 +221,14 @@ def says(base):
     result = run(RUN, f"{SCENES}/pendulum.yaml", "-o", f"{base}/said.h5", "--no-dump")
     check("1 body that turns and does not translate" in result.stdout and "effects: pendulum; no pairs" in result.stdout
           and "stable step of vti2 at rest: 2, set by pendulum at body 0; h is 0.00781 of it" in result.stdout and "energy: " in result.stdout, "it says what it computes")
+    check(re.search(r"\nenergy: \S+ at t = 0, \S+ at t = \S+; relative to that at t = 0: change \S+, largest \S+\n", result.stdout),
+          "... and how the energy changes")
     free = run(RUN, f"{SCENES}/spin.yaml", "-o", f"{base}/free.h5").stdout
-    check("stable step of vti2 at rest: nothing oscillates\n" in free, "... where nothing oscillates, too")
+    check("stable step of vti2 at rest: no limit (nothing is in contact or bonded)\n" in free, "... where nothing oscillates, too")
     strong = run(RUN, f"{SCENES}/chain.yaml", "--set", "binder.axial=1", "--set", "bodies.random.v=100", "--t-end", "0.01", "-o",
                  f"{base}/strong.h5").stdout
-    check(re.search(r"\nwith bonds strained by up to 1, as far as [a-z ]+: no step is sure, for bond \d of bodies \d and \d\n", strong),
+    check(re.search(r"\nwith bonds strained by up to 1 \(estimated from the energy of single bodies\): no step is sure, for bond \d "
+                    r"of bodies \d and \d\n", strong),
           "... and where no step is sure")
     check(not os.path.exists(f"{base}/said.dump") and os.path.exists(f"{base}/said.xdmf"), "--no-dump writes no dump")
 
@@ -250,7 +253,7 @@ def by_a_rival(base):
 def even_times(base):
     """Frames and rows of their own accord at times with few digits, evenly to the end, 5000 steps for one."""
     result = run(RUN, f"{SCENES}/pendulum.yaml", "--h", "1e-3", "--t-end", "5", "-o", f"{base}/even.h5")
-    check("a row every 5 steps (0.005 of time) and a frame every 50 (0.05)" in result.stdout, "it says how often it records")
+    check("a row every 5 steps (0.005 of time) and a frame every 50 steps (0.05 of time)" in result.stdout, "it says how often it records")
     frames, rows = read_vtkhdf(f"{base}/even.h5"), read_csv(f"{base}/even.csv")[1]
     check([frame["t"] for frame in frames] == [50 * k * 1e-3 for k in range(101)] and
           rows[:, 0].tolist() == [5 * k * 1e-3 for k in range(1001)], "every 0.05 and 0.005 to t = 5")

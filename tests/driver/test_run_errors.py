@@ -126,7 +126,8 @@ def same_bytes():
         # steps by a tolerance also keep in the checkpoint how many were cut to end where somebody looked
         files = (".csv",) if "--tolerance" in options else (".csv", ".h5")
         check(all(whole[file] == contents("part")[file] for file in files), f"{name}: resumed")
-        words = [[line for line in text.splitlines() if "estimate" in line and "at most" not in line] for text in (said, threads, part)]
+        words = [[line for line in text.splitlines() if re.match("largest estimated error|warning: the estimate", line)]
+                 for text in (said, threads, part)]
         check(words[0] == words[1] == words[2] and words[0], f"... and the same is said of it: {words[0]}")
         go(name, "off", *options, "--t-end", end)
         (names, rows), (without, others) = read_csv("whole.csv"), read_csv("off.csv")

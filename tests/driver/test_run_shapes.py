@@ -146,7 +146,7 @@ t_end: 2
         with open(os.path.join(folder, name), "w", encoding="ascii") as file:
             file.write(text)
     done = run(RUN, path + ".yaml", "-o", path + ".h5", "--record", "16", "--frames", "16")
-    check(done.returncode == 0 and "1 bonds of spheres" in done.stdout, f"bonded spheres run {done.stderr}")
+    check(done.returncode == 0 and "; 1 bond of spheres" in done.stdout, f"bonded spheres run {done.stderr}")
     frames = read_vtkhdf(path + ".h5")
     with h5py.File(path + ".h5") as file:
         held = file["energies/binder_axial"][...] + file["energies/binder_moment"][...]

@@ -98,9 +98,9 @@ def pushed(base):
 
 
 def slowed(base):
-    """What nothing pushes is slowed as it should be by any h, and its ways and angles, sums of velocities in the middle
-    of steps, are not: (z/2)/sinh(z/2) of themselves, or z/(exp(z) - 1) where the kick is whole, and chin4's velocities
-    are those of a sixth and of five sixths of the step."""
+    """What nothing pushes is slowed as it should be by any h, and its displacements and angles, sums of velocities in
+    the middle of steps, are not: (z/2)/sinh(z/2) of themselves, or z/(exp(z) - 1) where the kick is whole, and chin4's
+    velocities are those of a sixth and of five sixths of the step."""
     halves, whole = (lambda z: z / 2 / numpy.sinh(z / 2)), (lambda z: z / numpy.expm1(z))
     sixths = (lambda z: z / 2 * numpy.cosh(z / 3) / numpy.sinh(z / 2))
     for stepper, h, law, word in (("vti2", 0.5, halves, "doubtful"), ("vti2", 0.06, halves, "doubtful"), ("exact", 0.05, halves, "good"),
@@ -115,7 +115,7 @@ def slowed(base):
             wrong, z = abs(1 - law(20 * h)), 20 * h * (0.5 if stepper == "chin4" else 1)
             check(abs(way / (0.05 * law(20 * h)) - 1) < 1e-2, f"{scene} by {stepper} at h = {h}: {way:.4g} is {law(20 * h):.3f} of 0.05")
             check(abs(found["slowing"] / z - 1) < 1e-9, f"z is {found['slowing']:.3g}")
-            check(found["verdict"].decode() == word and (f"are up to {wrong:.2g} of themselves off" in lines[-1]) == (word != "good"),
+            check(found["verdict"].decode() == word and (f"are off by up to {wrong:.2g} of themselves" in lines[-1]) == (word != "good"),
                   f"... which is said: {lines[-1]}")
     _, lines, found = verdict(base, f"{base}/ways.yaml", "--h", "0.5", "--set", "bodies.v=[0,0,0]")
     check(found["verdict"] == b"good" and found["slowing"] == 0, f"nothing moves: {lines[-1]}")
@@ -173,7 +173,7 @@ def runs(base):
     with open(f"{base}/rest.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {chain: {count: 3, spacing: 1}, mass: 1}\nbinder: {axial: 1}\nh: 1/16\nt_end: 1\n")
     result, lines, found = verdict(base, f"{base}/rest.yaml", "--record", "1")
-    check(found["verdict"] == b"good" and found["energy_scale"] == 0 and "drift 0 +- 0 per unit of time (scale 0)" in lines[-1]
+    check(found["verdict"] == b"good" and found["energy_scale"] == 0 and "drift 0 +- 0 per unit of time (shares of the scale 0)" in lines[-1]
           and "nan" not in result.stdout, f"at rest: no drift {lines[-1]}")
 
 

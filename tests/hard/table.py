@@ -48,7 +48,7 @@ NOTES = {
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",
     "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. A run is bad if its energy "
-               "grows by more than S/4, S being its largest T + U without fields, or all that was booked as lost or worked where that is more, and that in H and in "
+               "grows by more than S/4, S being its largest T + U without fields, or all that was recorded as lost or as work where that is more, and that in H and in "
                "H - (h^2/8) sum(F^2/m + RM^2/J), or by 0.7 S in H alone; if a body comes by more than a diameter per step towards what it meets; or if the run "
                "breaks off. The random scenes have contacts, walls, gravity, pendulums and bonds, sizes and stiffnesses over orders "
                "of magnitude, eight steppers, 256 steps; a run with a step 16 times smaller says what the energy should be at each. The "
@@ -56,8 +56,8 @@ NOTES = {
                "what lies between may be called either.",
     "rivals": "The schemes of `drivers/rivals` beside this library's steppers, in the cases that all of them can be put to. "
               "h = 0.9 and 1.1 of 2/omega is beside the limit of velocity Verlet, the same for all. Methods that choose their steps "
-              "themselves are left out. Multistep methods (an4, an7, an9, an10-mid, an10-fine) begin with steps of srkn6 or srkn11, so "
-              "that a single step of theirs is one of these, and are stable up to shorter steps.",
+              "themselves are left out. Multistep methods (an4, an7, an9, an10-mid, an10-fine) start with steps back in time, which are "
+              "undone (docs/steppers.md), and are stable for shorter steps only.",
 }
 
 HEAD = """# What happens in hard cases

@@ -510,7 +510,7 @@ TEST(remedies)
     warned(text, NULL);
     /* doubles at 1e9 are 1.2e-7 apart; a body that stands still has no way, wherever it is */
     warned("bodies: {x: [0, -1e9, 0], v: [1e-2, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n",
-           "rounding takes up to 0.011 of their way in a step; move the origin nearer");
+           "rounding takes up to 0.011 of their displacement in a step; move the origin nearer");
     warned("bodies: {x: [0, -1e6, 0], v: [1e-2, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
     warned("bodies: {x: [0, -1e9, 0], v: [0, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
     snprintf(text, sizeof text, fast, "vti2", "dashpot: {restitution: 0.5}\n");

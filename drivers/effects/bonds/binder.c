@@ -71,8 +71,8 @@ static void say(const struct effect *e, char *text, size_t size)
     if (binder_touches(self))
         snprintf(text, size, "bonds where bodies touch%s", what);
     else
-        snprintf(text, size, "%lld bonds%s%s", (long long)self->bonds.count, self->body != NULL ? " of spheres" : "",
-                 what);
+        snprintf(text, size, "%lld bond%s%s%s", (long long)self->bonds.count, self->bonds.count == 1 ? "" : "s",
+                 self->body != NULL ? " of spheres" : "", what);
 }
 
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t size)

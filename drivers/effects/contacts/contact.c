@@ -204,7 +204,7 @@ static void limit(const struct effect *e, const vti_deformation *at, const vti_s
 {
     (void)e;
     if (at != NULL && at->meet)
-        snprintf(text, size, "contacts that may come to body %lld", (long long)stable->i);
+        snprintf(text, size, "future contacts of body %lld", (long long)stable->i);
     else if (stable->j < 0) /* of clumps */
         snprintf(text, size, "pull of contacts on body %lld", (long long)stable->i);
     else

@@ -9,7 +9,7 @@ from .price_list import listing, power, three
 
 # The name that a scene's begins with -> whether bodies or walls touch in it, and what it is
 SCENES = {
-    "pendulum": (False, "The paper's pendulum: one body on a joint, gravity, all of it rotation. The number is its end time."),
+    "pendulum": (False, "The paper's pendulum: one body on a pivot, under gravity; pure rotation. The number is its end time."),
     "pair": (False, "Two bonded spheres, free in space. The forces are smooth."),
     "chain": (False, "Ten spheres bonded to a chain, free in space; all of its modes move. The forces are smooth."),
     "torus": (True, "The paper's ring of 80 bonded particles, which touches its wall at the start. A number is its end time."),
@@ -44,7 +44,7 @@ WHEN = (
     ("Contacts or walls: trajectories", "`an4`, `an7`, or with bonds `an9`; where quiet times and touches take turns `srkn11` with "
      "`--tolerance`", "Where a contact begins or ends within a step AN(K) takes off what the step misses by that: of order 4 or 4.5 "
      "there, where all others of equal steps are of 2.5."),
-    ("Smooth forces (bonds, joints, gravity): trajectories, forces that are dear", "`an4` to 1e-2, `an7` to 1e-3, `an9` to 1e-6, `an10-mid` "
+    ("Smooth forces (bonds, pivots, gravity): trajectories, forces that are dear", "`an4` to 1e-2, `an7` to 1e-3, `an9` to 1e-6, `an10-mid` "
      "below; where nothing is stiff (a pendulum) `an10-fine`", "The fewest evaluations. Apart from the forces their steps take longer than those of "
      "splitting methods, so they pay off where forces are expensive."),
     ("Smooth forces: long times, forces that are cheap", "`srkn6` to 1e-4, `srkn11` to 1e-6, `srkn14` below; below 1e-8 `kl8` as well",

@@ -220,7 +220,7 @@ NO_SPHERES = {
 def beyond_the_paper(page, folder):
     page.heading("Beyond the paper: scenes that lose energy")
     page.text("Not in the paper: drag, dashpots, friction and rupture, which `docs/dissipation.md` explains. What is "
-              "lost is booked, and the sum with it stays to second order in h.")
+              "lost is recorded, and the sum with it stays to second order in h.")
     runs(page, folder, DISSIPATING)
     page.heading("Beyond the paper: bodies that are not spheres")
     page.text("Bodies of three moments of inertia, and clumps of several spheres (`docs/linking.md`).")

@@ -248,8 +248,8 @@ def repose_part(page, found):
     page.text("250 beads in a box of 25 diameters' width, whose side opens at once: the angle of the heap that is left, "
               f"in degrees, mean over {max(len(some) for some in found.values())} packings and in brackets the standard "
               f"deviation of a single one. The slope is fitted between {LOW:.0%} and {HIGH:.0%} of the height, a dozen "
-              "strips of beads, and scatters. The wedge is one whose centre of mass is where the heap's is; all beads "
-              "count, those of its long foot too. mu is the friction between beads, the plane keeps its 0.8; mu_r is "
+              "strips of beads, and scatters. `wedge` is the slope of the triangular heap with the same centre of mass; all "
+              "beads count, also those in the long toe. mu is the friction between beads, the plane keeps its 0.8; mu_r is "
               "the length of the rolling resistance, the mean radius being 1.5 mm.")
     rows = []
     for mu in sorted({mu for mu, _ in found}):

@@ -215,8 +215,8 @@ def ledger_part(page, folder):
     rows = read(folder, "ledgers")
     page.heading("The ledger")
     page.text(
-        "Kinetic and elastic energy and what was booked, which should stay; its largest error in the pair's "
-        "impacts as a share of the energy. LAMMPS gives no energy of contacts and books nothing (an open "
+        "Kinetic and elastic energy and what was recorded as lost, which should stay; its largest error in the pair's "
+        "impacts as a share of the energy. LAMMPS gives no energy of contacts and records no loss (an open "
         "request, issue 4666 of its repository). What its users do is done here: the power of all loads but "
         "the elastic ones is added up over the dumps of every step. The rate times h is of first order; the "
         "mean of two steps, which is what p.(u + u')/2 comes to without intermediate velocities, of second. "
@@ -237,7 +237,7 @@ def impact_picture(folder, path):
     laws = of(orders, plane=0.0, angle=45.0)
     for side, rows, title, others in (
         (axes[0], laws, "Pair at 45 degrees: velocities after the impact", 1),
-        (axes[1], of(ledgers, angle=45.0), "The same: sum of energies and what was booked", len(in_order(laws, "who"))),
+        (axes[1], of(ledgers, angle=45.0), "The same: sum of energies and recorded losses", len(in_order(laws, "who"))),
     ):
         curves(side, rows, "steps", "error", "vti2", "loglog", marked=True, others=others)
         side.set(title=title, xlabel="number of steps")

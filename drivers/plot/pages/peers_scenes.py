@@ -78,7 +78,7 @@ def agglomerate_part(page, folder, image):
                     *(f"{mine[int((len(mine) - 1) * share)]['kinetic'] / start:.3f}" for share in (0.2, 0.4, 1)),
                 ]
             )
-    page.table(["h", "by", "bonds at 0.3 ms", "0.6", "1.5", "kinetic energy at 0.3 ms", "0.6", "1.5"], table)
+    page.table(["h", "by", "bonds at 0.3 ms", "0.6", "1.5", "kinetic energy, share of the start, at 0.3 ms", "0.6", "1.5"], table)
 
 
 def places(folder, name):
@@ -89,7 +89,8 @@ def side_view(axes, folder, scene, title):
     for who, look in zip(("vti", "LAMMPS"), style.LOOKS):
         x = places(folder, f"{scene}-{who}")
         axes.plot(x[:, 0], x[:, 2], look.marker, color=look.colour, markersize=4, fillstyle="none", label=who)
-    axes.set(title=title, xlabel="x, z (units of the scene)", ylabel="z", aspect="equal", ylim=(0, axes.get_ylim()[1] + 0.4))
+    axes.set(title=title, xlabel="x (units of the scene)", ylabel="z (units\nof the scene)", aspect="equal",
+             ylim=(0, axes.get_ylim()[1] + 0.4))
     axes.legend(loc="upper left")
 
 

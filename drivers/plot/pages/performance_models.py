@@ -81,6 +81,14 @@ def of_possible(bench, what, flops, n, peak):
     return "-" if np.isnan(rate) else short(rate) if np.isnan(most) else f"{short(rate)} ({rate / most:.2f})"
 
 
+def marks_text(sizes):
+    """Which marks are of which number of bodies."""
+    filled, *others = map(size_text, sizes)
+    if len(others) == 2:
+        others = [f"{others[0]} (small)", f"{others[1]} (large)"]
+    return f"filled: n = {filled}" + (f", open: {', '.join(others)}" if others else "")
+
+
 def roofline(bench, rows, sizes, peak, path):
     figure = style.new_figure(4.6)
     axes = figure.subplots()
@@ -93,7 +101,7 @@ def roofline(bench, rows, sizes, peak, path):
         for k, n in enumerate(sizes):
             axes.plot(flops / BYTES[what], flops / time_of(bench, what, n), look.marker, color=look.colour, markersize=5 + 2.5 * k,
                       fillstyle="none" if k else "full", label=NAMES[what].replace("`", "") if k == 0 else None)
-    axes.set(title=f"One core, {bench.units}; marks grow with n", xlabel="operations per byte", ylabel="GFlop/s", xscale="log", yscale="log")
+    axes.set(title=f"One core, {bench.units}; {marks_text(sizes)}", xlabel="operations per byte", ylabel="GFlop/s", xscale="log", yscale="log")
     # of two decades or less, so that others than powers of ten have numbers too
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_formatter(LogFormatter(minor_thresholds=(2, 0.5)))

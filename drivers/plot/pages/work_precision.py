@@ -21,10 +21,9 @@ MARKERS = {"ours": ("o", 4), "paper": ("v", 5), "rival": ("s", 4)}
 OTHER = "#c4c4c4"       # of methods without a name
 BAND, RIM, BAND_NAME = "#F3ECC0", "#B9A955", "#857520"
 COSTS = {"force_evals": "force evaluations", "seconds": "time (s)"}
-CAPTION = ("Circles, blue to green: ours; triangles, orange: the paper's; squares, black, red and purple: rivals; colours that are needed "
-           "twice are dashed. Thin and grey:\nmethods that are nowhere the cheapest of their family. Thick: of ours and of the rivals the "
-           "one that is the cheapest, in time, at most errors. The pale yellow\nband goes from the cheapest to the dearest of all methods "
-           "of order 2 with one evaluation a step, the paper's, ours and rivals. Errors become smaller to the right.")
+CAPTION = ("Circles (blue to green): this library. Triangles (orange): the paper. Squares (black, red, purple): rivals. A colour used twice "
+           "is dashed.\nThick: the cheapest in time at most errors, of this library and of the rivals. Thin grey: never the cheapest of its "
+           "group.\nYellow band: all methods of order 2 with one evaluation per step. Errors decrease to the right.")
 
 
 @dataclass
