@@ -90,8 +90,8 @@ typedef struct vti_scalars {
  *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. Effects that
  *  read what is absent are refused. mass is needed for a force and for momenta, inertia for a moment and for spin. Give
  *  the attitude as alpha or as a quaternion, never as both. Mass and inertia are finite: a body that is held is one
- *  outside the slice that is stepped, as effects act across slices. Flows (dashpots) change both bodies of a pair: where
- *  they act on it, it has a mass and an inertia of 1e300, too. Start from vti_bodies_none().
+ *  outside the slice that is stepped, as effects act across slices. Flows (dashpots) change both bodies of a pair:
+ *  where they act on it, it has a mass and an inertia of 1e300, too. Start from vti_bodies_none().
  *
  *  With moments a body has the inertia R_p diag(A, B, C) R_p^T, R_p = R(attitude) R(principal), in the place of J, and
  *  turns by spin, L: kicks are L += t RM, drifts leave L as it is, to the bit. Where omega is shown beside spin, steps,

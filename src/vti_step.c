@@ -160,7 +160,8 @@ static int probe_check(const vti_bodies *b, const vti_bodies *probed)
     if (vti_has(&probed->x) != vti_has(&b->x) || vti_has(&probed->alpha) != vti_has(&b->alpha) ||
         vti_has_attitude(probed) != vti_has_attitude(b))
         return VTI_E_VIEW;
-    const int same = b->count > 0 && (is_of(b, probed->x.c[0]) || is_of(b, probed->alpha.c[0]) || is_of(b, probed->quat.xyzw[0]));
+    const int same =
+        b->count > 0 && (is_of(b, probed->x.c[0]) || is_of(b, probed->alpha.c[0]) || is_of(b, probed->quat.xyzw[0]));
     return same ? VTI_E_ALIAS : VTI_OK;
 }
 

@@ -65,8 +65,8 @@ static int read_set(struct table *table, hid_t set, const char *name, const char
     }
     H5D_space_status_t written = H5D_SPACE_STATUS_ALLOCATED;
     if (rows > 0 && (H5Dget_space_status(set, &written) < 0 || written == H5D_SPACE_STATUS_NOT_ALLOCATED))
-        return fail_column(table, name, "holds no values, nothing has been written to it here; write them into this file",
-                           message);
+        return fail_column(table, name,
+                           "holds no values, nothing has been written to it here; write them into this file", message);
     if (rows > SCENE_BODIES_MAX || table_reserve(table, rows) != 0 || table_add(table, k) != 0)
         return fail_column(table, name, "out of memory; give fewer rows", message);
     table->rows = rows;

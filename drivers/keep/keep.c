@@ -2,7 +2,7 @@
  *
  * Rollback journal and not WAL: frames are large, and go to the disk once instead of twice; network file systems have
  * what it needs, locks by fcntl, where WAL wants shared memory. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include "keep.h"
 
 #include <errno.h>
@@ -211,7 +211,8 @@ static int check_length(const struct keep *keep, struct message *message)
         return 0;
     if (!keep->there)
         unlink(keep->path);
-    return message_set(message, "%.200s: with its folder the path has %lld characters, and at most %d can be used; use a "
+    return message_set(message,
+                       "%.200s: with its folder the path has %lld characters, and at most %d can be used; use a "
                        "shorter one with -o",
                        keep->path, (long long)length, MOST);
 }

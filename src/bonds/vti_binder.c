@@ -242,7 +242,7 @@ static int pass_check(const vti_bonds *bonds, const vti_bodies *b, int64_t first
         return VTI_E_BOND;
     const int status = vti_bodies_ready(b);
     const int lacks = first < last && ((terms & (TERM_AXIAL | TERM_SHEAR) && !vti_has(&b->x)) ||
-                      (terms & (TERM_MOMENT | TERM_SHEAR) && !vti_has_attitude(b)));
+                                       (terms & (TERM_MOMENT | TERM_SHEAR) && !vti_has_attitude(b)));
     return status != VTI_OK ? status : lacks ? VTI_E_NEEDS : VTI_OK;
 }
 

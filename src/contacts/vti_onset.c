@@ -143,8 +143,10 @@ static int check(double h, const vti_view *before, const vti_contacts *contacts,
     int status = vti_bodies_ready(b);
     if (status == VTI_OK)
         status = vti_multistep_suits(b, NULL);
-    if (status != VTI_OK || b->count == 0)
+    if (status != VTI_OK)
         return status;
+    if (b->count == 0)
+        return VTI_OK;
     if (before == NULL)
         return VTI_E_NULL;
     if (!vti_is_positive(h))

@@ -124,6 +124,24 @@ TEST(reasons)
     assert_non_null(strstr(message.text, "is none of vti's, or is damaged; delete it"));
     keep_remove(&keep);
 
+    char deep[FOLDER_PATH], name[101] = "";
+    struct keep far;
+    memset(name, 'd', sizeof name - 1);
+    snprintf(deep, sizeof deep, "%s", folder);
+    for (int k = 0; k < 6; ++k) { /* longer than SQLite takes */
+        snprintf(deep + strlen(deep), sizeof deep - strlen(deep), "/%s", name);
+        assert_int_equal(mkdir(deep, 0700), 0);
+    }
+    snprintf(deep + strlen(deep), sizeof deep - strlen(deep), "/out.run");
+    assert_int_equal(keep_open(&far, deep, "run", "h: 1\n", 0, &message), -1);
+    assert_non_null(strstr(message.text, "characters, and at most 511 can be used; use a shorter one with -o"));
+    assert_int_equal(stat(deep, &info), -1);
+    for (char *end = strrchr(deep, '/'); strlen(deep) > strlen(folder); end = strrchr(deep, '/')) {
+        *end = '\0';
+        if (strlen(deep) > strlen(folder))
+            assert_int_equal(rmdir(deep), 0);
+    }
+
     if (getuid() == 0) /* may write anywhere */
         return;
     assert_int_equal(chmod(folder, 0500), 0);

@@ -160,6 +160,11 @@ static const struct refusal refused[] = {
      "3:47: friction.poisson: given with friction.stiffness; keep one of them"},
     {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 1, poisson: 0.7}\n" TIME,
      "3:33: friction.poisson: '0.7' is above 0.5; no material has that"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 0, rolling: 1, rolling_stiffness: 1}\ndashpot: {ratio: 1, "
+           "zeta: 1}\n" TIME,
+     "3:21: friction.sliding: is 0, which sets dashpot.ratio no limit; leave that out, or give a limit above 0"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 1, poisson: 0, twisting: 0}\ndashpot: {twisting: 1}\n" TIME,
+     "3:46: friction.twisting: is 0, which sets dashpot.twisting no limit; leave that out, or give a limit above 0"},
     {CHAIN "contact: {stiffness: 1}\nfriction: {rolling: 1}\n" TIME,
      "3:21: friction.rolling: has no stiffness; give friction.rolling_stiffness"},
     {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 1, poisson: 0.3, rolling_stiffness: 1}\n" TIME,

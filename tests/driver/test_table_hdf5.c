@@ -17,13 +17,14 @@
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
+/** Nothing is written where values is NULL. */
 static void put(hid_t group, const char *name, hid_t type, int dimensions, hsize_t n, const double *values)
 {
     const hsize_t size[2] = {n, 1};
     const hid_t space = H5Screate_simple(dimensions, size, NULL);
     const hid_t set = H5Dcreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     assert_true(set >= 0);
-    assert_true(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    assert_true(values == NULL || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
     H5Dclose(set);
     H5Sclose(space);
 }
@@ -148,6 +149,13 @@ TEST(groups)
     H5Fclose(file);
     refused(&table_bodies, "b.h5: /bodies/x: is not a list of numbers; give a dataset of numbers, of one dimension");
     refused(&binder_table, "b.h5: no bonds; give a row for each");
+    file = open_file("b.h5");
+    group = open_group(file, "bodies");
+    put(group, "x", H5T_IEEE_F64LE, 1, 3, NULL);
+    H5Gclose(group);
+    H5Fclose(file);
+    refused(&table_bodies, "b.h5: /bodies/x: holds no values, nothing has been written to it here; write them into "
+                           "this file");
     file = open_file("b.h5");
     group = open_group(file, "bodies");
     put(group, "x", H5T_IEEE_F64LE, 1, 3, one);

@@ -115,8 +115,8 @@ TEST(restitution)
             }
 }
 
-/** A held sphere is outside of the slice, and as flows change both bodies of a pair, has a mass and an inertia of 1e300: it
- *  stays, and another one leaves it as a plane. */
+/** A held sphere is outside of the slice and, as flows change both bodies of a pair, has a mass and an inertia of 1e300:
+ *  it stays, and another one leaves it as a plane. */
 TEST(held_by_mass)
 {
     impact_clear(&m, 2, 0, 1e4);
@@ -124,10 +124,8 @@ TEST(held_by_mass)
     m.c.v[0][2] = -1.0;
     m.c.mass[1] = m.c.inertia[1] = 1e300;
     m.b.count = 1;
-    const vti_dashpots dashpots = {.contacts = &m.contacts,
-                                   .zeta = vti_dashpots_zeta(0.5, 0),
-                                   .reach = INFINITY,
-                                   .lost = m.lost};
+    const vti_dashpots dashpots = {
+        .contacts = &m.contacts, .zeta = vti_dashpots_zeta(0.5, 0), .reach = INFINITY, .lost = m.lost};
     impact_add(&m, vti_contacts_effect(&m.contacts));
     impact_add(&m, vti_dashpots_effect(&dashpots));
     impact_go(&m, vti2(), 1e-4, 2000);
@@ -240,5 +238,5 @@ TEST(crowds)
     assert_close(log2(error[1] / error[2]), 2, 0.2);
 }
 
-RUN_TESTS(cmocka_unit_test(zeta_of_restitution), cmocka_unit_test(any_scale), cmocka_unit_test(restitution), cmocka_unit_test(held_by_mass),
-          cmocka_unit_test(ledger), cmocka_unit_test(crowds))
+RUN_TESTS(cmocka_unit_test(zeta_of_restitution), cmocka_unit_test(any_scale), cmocka_unit_test(restitution),
+          cmocka_unit_test(held_by_mass), cmocka_unit_test(ledger), cmocka_unit_test(crowds))

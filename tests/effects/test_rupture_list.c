@@ -263,6 +263,11 @@ TEST(take_out)
     assert_int_equal(vti_rupture_take_out(NULL, 0, NULL), VTI_E_NULL);
     rupture.id = NULL;
     assert_int_equal(vti_rupture_take_out(&rupture, 0, NULL), VTI_E_NULL);
+    rupture.id = id;
+    const double *const rest = w.bonds.rest;
+    w.bonds.rest = NULL;
+    assert_int_equal(vti_rupture_take_out(&rupture, 1, id), VTI_E_NULL);
+    w.bonds.rest = rest;
     rupture.bonds = NULL;
     assert_int_equal(vti_rupture_take_out(&rupture, 0, NULL), VTI_E_NULL);
 }

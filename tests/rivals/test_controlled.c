@@ -260,7 +260,8 @@ static void throw_up(struct journey *j, const char *folder, const vti_stepper *m
     remove(path);
 }
 
-/** It touches for less than the time between two evaluations, and comes back as by short steps, whenever it was thrown. */
+/** It touches for less than the time between two evaluations, and comes back as by short steps, whenever it was
+ *  thrown. */
 TEST(ceiling)
 {
     struct journey j;
@@ -336,5 +337,5 @@ TEST(too_short)
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
                     cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
-                    cmocka_unit_test(grazing), cmocka_unit_test(ceiling), cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
-                    cmocka_unit_test(too_late), cmocka_unit_test(too_short))
+                    cmocka_unit_test(grazing), cmocka_unit_test(ceiling), cmocka_unit_test(refused),
+                    cmocka_unit_test(wanted_sooner), cmocka_unit_test(too_late), cmocka_unit_test(too_short))

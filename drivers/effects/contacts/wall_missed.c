@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Touches of walls that a step has passed by, between two evaluations of its forces: a body that a field or another body
- * turns back just inside of a wall.
+ * Touches of walls that a step has passed by, between two evaluations of its forces: a field, say, turns a body back
+ * just inside of a wall.
  *
  * The gap over the step, 0 < s < 1, is the cubic with the gaps g0 and g1 > 0 and the rates r0 and r1 (times h) of both
  * ends,
  *     g(s) = g0 + r0 s + b s^2 + a s^3,      b = 3 (g1 - g0) - 2 r0 - r1,      a = r0 + r1 - 2 (g1 - g0),
- * exact for free flight in a field. It is least at s = -r0/(b + c), c = sqrt(b^2 - 3 a r0), where g'' = 2 c. Where that is
- * -delta < 0, the touch lasts T = 2 h sqrt(delta/c), and with the force F = K/L (delta/L)^{3/2} of its deepest, L being
+ * exact for free flight in a field. It is least at s = -r0/(b + c), c = sqrt(b^2 - 3 a r0), where g'' = 2 c. Where that
+ * is -delta < 0, the touch lasts T = 2 h sqrt(delta/c), and with the force F = K/L (delta/L)^{3/2} of its deepest, L being
  * the radius, it changes the velocity by (3 pi/16) F T/m, as contact_missed.c has it. */
 #include "wall.h"
 

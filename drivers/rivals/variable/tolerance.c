@@ -80,10 +80,11 @@ static int prepare_controlled(struct course *c, struct message *message)
     const double rounding = rounding_of(c);
     double most;
     if (kinked != NULL && by->drift[by->stages] != 0.0)
-        return message_set(message,
-                           "%s: %s: steps of %s begin and end with a drift, and of a touch that begins there its estimated "
-                           "error says nothing; take srkn11 or srkn6 for steps by a tolerance",
-                           c->model->scene->name, kinked, by->name);
+        return message_set(
+            message,
+            "%s: %s: steps of %s begin and end with a drift, and of a touch that begins there its estimated "
+            "error says nothing; take srkn11 or srkn6 for steps by a tolerance",
+            c->model->scene->name, kinked, by->name);
     if (course_longest(c, gap_of(by), message) != 0)
         return -1;
     c->number[STEP] = fmin(c->h, c->longest);
