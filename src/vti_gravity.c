@@ -30,10 +30,6 @@ vti_effect vti_gravity_effect(const vti_gravity *gravity)
     static const char *const term[] = {"gravity"};
     if (gravity == NULL)
         return vti_effect_none();
-    int64_t breaks = 0;
-    for (int k = 0; k < 3; ++k)
-        if (gravity->g[k] != 0.0) /* momentum along g, and angular momentum across it */
-            breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
     const vti_effect effect = {.name = "gravity",
                                .apply = apply,
                                .energy = energy,
@@ -44,6 +40,6 @@ vti_effect vti_gravity_effect(const vti_gravity *gravity)
                                .smooth = 1,
                                .terms = 1,
                                .term = term,
-                               .breaks = breaks};
+                               .breaks = vti_broken_along(gravity->g)};
     return effect;
 }

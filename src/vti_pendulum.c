@@ -91,6 +91,7 @@ vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
     if (pendulum == NULL)
         return vti_effect_none();
     /* the pivot takes up any linear momentum; of the angular one, all spin, gravity leaves the component along e3 */
+    enum { ALONG_E3 = 1 << 5 | 1 << 8 };
     const vti_effect effect = {.name = "pendulum",
                                .apply = apply,
                                .energy = energy,
@@ -101,6 +102,6 @@ vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
                                .smooth = 1,
                                .terms = 1,
                                .term = term,
-                               .breaks = VTI_BREAKS_LINEAR | ((VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS) & ~0440)};
+                               .breaks = VTI_BREAKS_LINEAR | ((VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS) & ~ALONG_E3)};
     return effect;
 }

@@ -110,6 +110,16 @@ static inline vti_effect vti_effect_none(void)
     return none;
 }
 
+/** Momenta that forces along n break: the linear one along it, and the angular one across it. */
+static inline int64_t vti_broken_along(const double n[3])
+{
+    int64_t breaks = 0;
+    for (int k = 0; k < 3; ++k)
+        if (n[k] != 0.0)
+            breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
+    return breaks;
+}
+
 /** vti_effects_check, but where nothing is wrong fault stays as it was. */
 int vti_effects_fault(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault);
 

@@ -236,7 +236,7 @@ int pilot_run(const struct scene *scene, const struct trial *trial, struct purse
     }
     trial_end(&flight.run);
     if (without)
-        return message_set(message, "%s: out of memory; use fewer bodies", scene->name);
+        return scene_no_memory(scene, message);
     return pilot->spent ? ADVISE_SPENT : 0;
 }
 

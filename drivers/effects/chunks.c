@@ -121,6 +121,22 @@ static void place_groups(struct chunks *c, const vti_contacts *all)
     }
 }
 
+vti_contacts chunks_pairs_of(const vti_contacts *all, const vti_bodies *slice, int64_t *pair, double *length)
+{
+    vti_contacts part = *all;
+    part.count = 0;
+    part.pair = pair;
+    if (all->length.p != NULL)
+        part.length = vti_scalars_array(length);
+    for (int64_t k = 0; k < all->count; ++k) {
+        if (vti_pairs_of_slice(1, all->pair + 2 * k, all->base, slice->first, slice->count, NULL) == 0)
+            continue;
+        memcpy(pair + 2 * part.count, all->pair + 2 * k, 2 * sizeof *pair);
+        length[part.count++] = all->length.p != NULL ? all->length.p[k] : 0.0;
+    }
+    return part;
+}
+
 int chunks_take(struct chunks *c, const vti_contacts *all)
 {
     if (make_room(c, all) != 0)

@@ -37,6 +37,9 @@ void chunks_destroy(struct chunks *chunks);
  *  memory is out. */
 int chunks_take(struct chunks *chunks, const vti_contacts *all);
 
+/** The pairs of *all that name a body of the slice, copied to pair, and their lengths to length. */
+vti_contacts chunks_pairs_of(const vti_contacts *all, const vti_bodies *slice, int64_t *pair, double *length);
+
 /** The chunk of a body. */
 int64_t chunks_of(const struct chunks *chunks, int64_t body);
 /** The bodies of chunk k among those of *bodies, a slice or all. */

@@ -231,9 +231,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
         return 0;
     self->flow = made->flow;
     made->flow = flow;
-    return make_groups(self, surfaces.chunks, friction) == 0
-               ? 0
-               : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    return make_groups(self, surfaces.chunks, friction) == 0 ? 0 : scene_no_memory(model->scene, message);
 }
 
 /** The largest c/m by the constants, of a sphere at a wall, or of the two that give way most, of two bodies, where they

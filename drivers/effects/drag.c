@@ -165,7 +165,7 @@ static int fill_each(struct drag_self *self, const struct drag_settings *setting
                            model->scene->name, slows_translation_by(settings));
     double *const c = self->memory = calloc((size_t)n, 3 * sizeof *c);
     if (c == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     double *const angular = c + n, *const k = c + 2 * n;
     for (int64_t s = 0; s < n; ++s) {
         const double D = model->diameter.p[s * model->diameter.stride];

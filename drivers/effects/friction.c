@@ -142,7 +142,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     fill(&self->friction, e->settings, NULL, e->booked);
     self->friction.by_body = e->by_body;
     if (friction_make_chunks(self) != 0)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     *made = vti_friction_effect(&self->friction);
     friction_by_chunks(self, made);
     return 0;

@@ -39,11 +39,6 @@ static void apply_part(const void *part, const vti_bodies *b)
         apply_chunk(p->self, k, &p->of[k], b);
 }
 
-static int is_of_slice(const vti_contacts *c, int64_t k, const vti_bodies *slice)
-{
-    return vti_pairs_of_slice(1, c->pair + 2 * k, c->base, slice->first, slice->count, NULL) > 0;
-}
-
 int friction_take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part)
 {
     enum { HEAD = (sizeof(struct friction_part) + sizeof(int64_t) - 1) / sizeof(int64_t) };
@@ -63,21 +58,9 @@ int friction_take_part(const struct effect *e, const vti_bodies *slice, struct e
     double *length = (double *)(void *)(pair + 2 * n);
     p->self = self;
     for (int64_t c = 0; c < self->count; ++c) {
-        const vti_contacts *const from = &chunks->of[c];
-        vti_contacts *const to = &p->of[c];
-        *to = *from;
-        to->count = 0;
-        to->pair = pair;
-        if (from->length.p != NULL)
-            to->length = vti_scalars_array(length);
-        for (int64_t k = 0; k < from->count; ++k) {
-            if (!is_of_slice(from, k, slice))
-                continue;
-            *pair++ = from->pair[2 * k];
-            *pair++ = from->pair[2 * k + 1];
-            *length++ = from->length.p != NULL ? from->length.p[k] : 0.0;
-            ++to->count;
-        }
+        p->of[c] = chunks_pairs_of(&chunks->of[c], slice, pair, length);
+        pair += 2 * p->of[c].count;
+        length += p->of[c].count;
     }
     part->made = self->made;
     part->made.apply = apply_part;

@@ -153,6 +153,30 @@ void frame_fragments(const struct frame_layout *layout, const double *frame, dou
     breaking->kind->breaks->fragments(breaking, (int64_t)frame[0], fragment);
 }
 
+int frame_quantities(const struct record *record, struct frame_quantity list[FRAME_QUANTITIES])
+{
+    const struct frame_layout *layout = &record->frames;
+    const struct frame_quantity known[FRAME_KNOWN] = {
+        {"velocity", layout->v, 3, NULL, 0},
+        {"omega", layout->omega, 3, NULL, 0},
+        {"alpha", layout->alpha, 3, NULL, 0},
+        {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
+        {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
+        {"director", layout->alpha, 3, frame_directors, 0},
+        {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids, 0},
+        {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
+        {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
+        {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0},
+        {"lost", layout->lost, 1, frame_lost, 0}};
+    int count = 0;
+    for (int k = 0; k < FRAME_KNOWN; ++k)
+        if (known[k].place != 0)
+            list[count++] = known[k];
+    for (int64_t k = 0; k < layout->entries; ++k)
+        list[count++] = (struct frame_quantity){layout->entry[k], layout->lost + k * layout->n, 1, NULL, 0};
+    return count;
+}
+
 /* ---- what effects say of a frame --------------------------------------------------------------------------------- */
 
 vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame)

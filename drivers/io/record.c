@@ -11,7 +11,7 @@ static double *memory(int64_t doubles, const struct record *record, struct messa
 {
     double *p = malloc(sizeof *p * (size_t)doubles);
     if (p == NULL)
-        message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
+        scene_no_memory(record->model->scene, message);
     return p;
 }
 

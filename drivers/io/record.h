@@ -83,6 +83,21 @@ struct record {
     struct judgement judgement; /* once it has ended */
 };
 
+/** A quantity of the bodies that changes, as files have it: its name, where it is in a frame, components. */
+struct frame_quantity {
+    const char *name;
+    int64_t place;
+    int64_t components;
+    /** Makes it from what the frame holds; NULL where the frame holds it. */
+    void (*derive)(const struct frame_layout *layout, const double *frame, double *values);
+    int field; /* 0; or the field, which is made for all bodies at once */
+};
+
+enum { FRAME_KNOWN = 11, FRAME_QUANTITIES = FRAME_KNOWN + EFFECT_TERMS_OF_ALL };
+
+/** Those that the record has, in the order of the files. Returns how many. */
+int frame_quantities(const struct record *record, struct frame_quantity list[FRAME_QUANTITIES]);
+
 /** Calls take for all rows, in blocks of count >= 1 rows from row first, row by row of doubles. It returns 0 to go
  *  on. Returns 0, or -1 with one line in *message or if take did not return 0. */
 int record_rows(const struct record *record, int (*take)(void *self, int64_t first, int64_t count, const double *rows),

@@ -90,23 +90,14 @@ static void line_attribute(const struct writer *w, const char *name, int64_t k)
 
 static void attribute(const struct writer *w, const char *name, int64_t k, int64_t columns)
 {
+    const char *const type = columns == 1 ? "Scalar" : columns == 3 ? "Vector" : columns == 9 ? "Tensor" : "Matrix";
     char path[64];
     snprintf(path, sizeof path, "PointData/%s", name);
-    fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"Node\">\n", name,
-            columns == 3   ? "Vector"
-            : columns == 9 ? "Tensor"
-                           : "Matrix");
-    slab(w, path, k, columns);
-    fputs("</Attribute>\n", w->file);
-}
-
-static void number_attribute(const struct writer *w, const char *name, int64_t k)
-{
-    const int64_t n = w->record->frames.n;
-    char path[64];
-    snprintf(path, sizeof path, "PointData/%s", name);
-    fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Node\">\n", name);
-    slab_of_numbers(w, path, k, n, 0, n);
+    fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"Node\">\n", name, type);
+    if (columns == 1)
+        slab_of_numbers(w, path, k, w->n, 0, w->n);
+    else
+        slab(w, path, k, columns);
     fputs("</Attribute>\n", w->file);
 }
 
@@ -174,29 +165,11 @@ static int take_spheres(void *self, int64_t k, const double *frame)
 static int take_frame(void *self, int64_t k, const double *frame)
 {
     const struct writer *w = self;
-    const struct frame_layout *layout = &w->record->frames;
+    struct frame_quantity list[FRAME_QUANTITIES];
+    const int count = frame_quantities(w->record, list);
     begin_frame(w, k, frame[1]);
-    if (layout->translates)
-        attribute(w, "velocity", k, 3);
-    if (layout->turns) {
-        attribute(w, "omega", k, 3);
-        attribute(w, "alpha", k, 3);
-        attribute(w, "attitude_xyzw", k, 4);
-        attribute(w, "attitude_wxyz", k, 4);
-        attribute(w, "director", k, 3);
-    }
-    if (shape_has_axes(w->record->model))
-        attribute(w, "ellipsoid", k, 9);
-    if ((w->record->fields & FIELD_FORCE) != 0)
-        attribute(w, "force", k, 3);
-    if ((w->record->fields & FIELD_MOMENT) != 0)
-        attribute(w, "moment", k, 3);
-    if (frame_has_fragments(layout))
-        number_attribute(w, "fragment", k);
-    if (layout->entries > 0)
-        number_attribute(w, "lost", k);
-    for (int64_t e = 0; e < layout->entries; ++e)
-        number_attribute(w, layout->entry[e], k);
+    for (int q = 0; q < count; ++q)
+        attribute(w, list[q].name, k, list[q].components);
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");
     fixed_attribute(w, "body", "Int");
@@ -340,16 +313,12 @@ int run_xdmf_write(const struct record *record, const char *name, const char *sp
 double run_xdmf_bytes(const struct record *record, int64_t frames)
 {
     enum { GRID = 1150, ATTRIBUTE = 340 }; /* characters */
-    const struct frame_layout *layout = &record->frames;
-    struct shape_group list[MODEL_EFFECTS];
-    const int groups = shape_groups(record->model, list);
-    int64_t attributes =
-        (layout->translates ? 1 : 0) + (layout->turns ? 5 : 0) + (layout->entries > 0) + layout->entries;
-    attributes += shape_has_axes(record->model) + frame_has_fragments(layout);
-    attributes += ((record->fields & FIELD_FORCE) != 0) + ((record->fields & FIELD_MOMENT) != 0);
-    int64_t bytes = (1 + groups) * (GRID + ATTRIBUTE * attributes);
+    struct frame_quantity list[FRAME_QUANTITIES];
+    struct shape_group group[MODEL_EFFECTS];
+    const int groups = shape_groups(record->model, group);
+    int64_t bytes = (1 + groups) * (GRID + ATTRIBUTE * frame_quantities(record, list));
     for (int g = 0; g < groups; ++g)
-        bytes += ATTRIBUTE * shape_quantities(list[g].effect);
+        bytes += ATTRIBUTE * shape_quantities(group[g].effect);
     bytes += model_has_clumps(record->model) ? GRID + ATTRIBUTE : 0;
     return (double)bytes * (double)frames;
 }

@@ -23,37 +23,7 @@ static void all_cells(struct hdf5_sink *root, const struct record *record)
 
 /* ---- point data -------------------------------------------------------------------------------------------------- */
 
-/** A quantity that changes: its name, where it is in a frame (0: absent), components. */
-struct quantity {
-    const char *name;
-    int64_t place;
-    int64_t components;
-    /** Makes it from what the frame holds; NULL where the frame holds it. */
-    void (*derive)(const struct frame_layout *layout, const double *frame, double *values);
-    int field; /* 0; or the field, which is made for all bodies at once */
-};
-
-enum { KNOWN = 11, QUANTITIES = KNOWN + EFFECT_TERMS_OF_ALL, WIDEST = 9 /* components */ };
-
-static void quantities_of(const struct record *record, struct quantity list[QUANTITIES])
-{
-    const struct frame_layout *layout = &record->frames;
-    const struct quantity all[KNOWN] = {{"velocity", layout->v, 3, NULL, 0},
-                                        {"omega", layout->omega, 3, NULL, 0},
-                                        {"alpha", layout->alpha, 3, NULL, 0},
-                                        {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
-                                        {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
-                                        {"director", layout->alpha, 3, frame_directors, 0},
-                                        {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids, 0},
-                                        {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
-                                        {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
-                                        {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0},
-                                        {"lost", layout->lost, 1, frame_lost, 0}};
-    memset(list, 0, QUANTITIES * sizeof *list);
-    memcpy(list, all, sizeof all);
-    for (int64_t k = 0; k < layout->entries; ++k)
-        list[KNOWN + k] = (struct quantity){layout->entry[k], layout->lost + k * layout->n, 1, NULL, 0};
-}
+enum { WIDEST = 9 }; /* components of a quantity */
 
 static void fixed_data(struct hdf5_sink *s, const struct record *record)
 {
@@ -72,13 +42,12 @@ static void fixed_data(struct hdf5_sink *s, const struct record *record)
 static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const struct record *record)
 {
     const hsize_t points = (hsize_t)record->frames.n * (hsize_t)record->journal->frames.mark.count;
-    struct quantity list[QUANTITIES];
-    quantities_of(record, list);
+    struct frame_quantity list[FRAME_QUANTITIES];
+    const int count = frame_quantities(record, list);
     hdf5_dataset(root, "Points", H5T_NATIVE_DOUBLE, 2, (const hsize_t[]){points, 3}, NULL);
-    for (int q = 0; q < QUANTITIES; ++q)
-        if (list[q].place != 0)
-            hdf5_dataset(data, list[q].name, H5T_NATIVE_DOUBLE, list[q].components > 1 ? 2 : 1,
-                         (const hsize_t[]){points, (hsize_t)list[q].components}, NULL);
+    for (int q = 0; q < count; ++q)
+        hdf5_dataset(data, list[q].name, H5T_NATIVE_DOUBLE, list[q].components > 1 ? 2 : 1,
+                     (const hsize_t[]){points, (hsize_t)list[q].components}, NULL);
 }
 
 /* ---- cell data: numbers of the lines of effects, group by group ------------------------------------------------- */
@@ -120,12 +89,12 @@ double vtkhdf_bytes(const struct record *record, int64_t frames)
 {
     enum { STEP = 12, BODY = 6, LINE = 3 }; /* 8 bytes of each frame in Steps, and once of each body and line */
     const int64_t n = record->frames.n;
-    struct quantity list[QUANTITIES];
+    struct frame_quantity list[FRAME_QUANTITIES];
+    const int count = frame_quantities(record, list);
     struct shape_group groups[MODEL_EFFECTS];
     int64_t numbers = 3 * n + STEP;
-    quantities_of(record, list);
-    for (int q = 0; q < QUANTITIES; ++q)
-        numbers += list[q].place != 0 ? n * list[q].components + 1 : 0;
+    for (int q = 0; q < count; ++q)
+        numbers += n * list[q].components + 1;
     for (int g = shape_groups(record->model, groups) - 1; g >= 0; --g)
         numbers += (cells_of(record) + 1) * shape_quantities(groups[g].effect);
     return 8.0 * ((double)numbers * (double)frames + (double)(BODY * n + LINE * shape_lines(record->model)));
@@ -185,7 +154,7 @@ static void take_lines(struct writer *w, int64_t k, const double *frame)
         take_group(w, &list[g], k, frame);
 }
 
-static const double *values_of(struct writer *w, const struct quantity *q, const double *frame)
+static const double *values_of(struct writer *w, const struct frame_quantity *q, const double *frame)
 {
     if (q->field != 0)
         return w->loads + (q->field == FIELD_MOMENT ? 3 * w->record->frames.n : 0);
@@ -211,15 +180,14 @@ static int take_frame(void *self, int64_t k, const double *frame)
     struct writer *w = self;
     const struct frame_layout *layout = &w->record->frames;
     const hsize_t n = (hsize_t)layout->n, first = n * (hsize_t)k;
-    struct quantity list[QUANTITIES];
-    quantities_of(w->record, list);
+    struct frame_quantity list[FRAME_QUANTITIES];
+    const int count = frame_quantities(w->record, list);
     if (take_loads(w, frame) != 0)
         return -1;
     w->times[k] = frame[1];
     hdf5_rows(w->root, "Points", first, n, frame + layout->x);
-    for (int q = 0; q < QUANTITIES; ++q)
-        if (list[q].place != 0)
-            hdf5_rows(w->data, list[q].name, first, n, values_of(w, &list[q], frame));
+    for (int q = 0; q < count; ++q)
+        hdf5_rows(w->data, list[q].name, first, n, values_of(w, &list[q], frame));
     take_lines(w, k, frame);
     return w->root->failed || w->data->failed || w->cells->failed ? -1 : 0;
 }
@@ -227,13 +195,12 @@ static int take_frame(void *self, int64_t k, const double *frame)
 static void write_steps(struct hdf5_sink *root, const struct record *record, const double *times)
 {
     const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
-    struct quantity list[QUANTITIES];
-    quantities_of(record, list);
+    struct frame_quantity list[FRAME_QUANTITIES];
+    const int count = frame_quantities(record, list);
     struct hdf5_sink s = vtkhdf_steps(root, frames, n, times);
     struct hdf5_sink offsets = hdf5_group(&s, "PointDataOffsets");
-    for (int q = 0; q < QUANTITIES; ++q)
-        if (list[q].place != 0)
-            vtkhdf_sequence(&offsets, list[q].name, frames, 1, 0, n);
+    for (int q = 0; q < count; ++q)
+        vtkhdf_sequence(&offsets, list[q].name, frames, 1, 0, n);
     if (shape_has_diameters(record->model))
         vtkhdf_sequence(&offsets, "diameter", frames, 1, 0, 0);
     vtkhdf_sequence(&offsets, "body", frames, 1, 0, 0);

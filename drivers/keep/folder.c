@@ -11,6 +11,8 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "stream.h"
+
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
 {
     const int length = snprintf(path, FOLDER_PATH, "%s/%s%s", folder, name, part ? ".part" : "");
@@ -145,7 +147,7 @@ int folder_close(FILE *file, const char *folder, const char *name, struct messag
     char path[FOLDER_PATH];
     if (folder_output(folder, name, 1, path, message) != 0)
         return -1; /* it has been opened under this name */
-    return sync_end(file, fclose) != 0 ? fail(path, message) : 0;
+    return stream_end(file, fclose) != 0 ? fail(path, message) : 0;
 }
 
 int folder_write(const char *folder, const char *name, folder_writer *write, const void *what, struct message *message)
@@ -208,13 +210,4 @@ int folder_finish(const char *folder, const char *const *names, int count, int f
     for (int k = 0; failed != 0 && k < count; ++k)
         drop(folder, names[k]);
     return failed == 0 && sync_path(folder, 1) != 0 ? fail(folder, message) : failed;
-}
-
-/* ---- to the disk ------------------------------------------------------------------------------------------------- */
-
-int sync_end(FILE *file, int (*end)(FILE *file))
-{
-    const int before = ferror(file);
-    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
-    return end(file) != 0 || before ? -1 : 0;
 }

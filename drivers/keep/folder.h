@@ -44,10 +44,4 @@ int folder_write(const char *folder, const char *name, folder_writer *write, con
  *  *message, which is as it was if failed is not 0. */
 int folder_finish(const char *folder, const char *const *names, int count, int failed, struct message *message);
 
-/* ---- to the disk ------------------------------------------------------------------------------------------------- */
-
-/** Whether all that was ever written to the stream has been taken, now that it is ended by fclose or fflush: 0, or -1
- *  with errno. */
-int sync_end(FILE *file, int (*end)(FILE *file));
-
 #endif

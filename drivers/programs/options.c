@@ -12,6 +12,7 @@
 
 #include "commit.h"
 #include "number.h"
+#include "stream.h"
 #include "vti.h"
 
 enum { ROWS = 48, HELP = ROWS + 1, VERSION };
@@ -203,9 +204,7 @@ int options_refuse_set(const struct option_list *sets, const char *key, const ch
 
 int output_end(struct message *message)
 {
-    const int before = ferror(stdout);
-    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
-    if (fflush(stdout) == 0 && !before)
+    if (stream_end(stdout, fflush) == 0)
         return 0;
     return message_set(message, "standard output: cannot be written: %s; send it to another place", strerror(errno));
 }

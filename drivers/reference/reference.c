@@ -81,7 +81,7 @@ static int create_smooth(struct model *model, double t_end, double bytes, const 
     double *const other = calloc((size_t)(SMOOTH_SAMPLES * equations_width(model)), sizeof *other);
     int failed = smooth_create(s, model, message);
     if (failed == 0 && other == NULL)
-        failed = message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        failed = scene_no_memory(model->scene, message);
     failed = anywhere(failed, place->comm);
     if (failed == 0)
         failed = integrate_smooth(s, t_end, bytes, place, other, message);

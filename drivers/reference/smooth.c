@@ -26,7 +26,7 @@ int smooth_create(struct smooth *s, struct model *model, struct message *message
     s->block = calloc((size_t)(PANELS_BLOCK * equations_width(model) + PANELS_SPARE), sizeof *s->block);
     s->samples = calloc((size_t)(SMOOTH_SAMPLES * equations_width(model)), sizeof *s->samples);
     if (s->state == NULL || s->block == NULL || s->samples == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     return 0;
 }
 

@@ -21,15 +21,8 @@
  * that is left behind, so that neither the path nor the number of evaluations depends on how often somebody looks. */
 #include <string.h>
 
-#include "quaternion.h"
 #include "rates.h"
 #include "verlet.h"
-
-static void drift(const struct course *c, double t)
-{
-    rival_translate(t, c->x, c->v, 0, c->n);
-    rival_turn(t, c->q, c->w, quat_turn_exactly, 0, c->n);
-}
 
 /** Forces, and a kick by them. */
 static int kick(struct course *c, double t)
@@ -49,24 +42,19 @@ static int pefrl_step(struct course *c)
     enum { KICKS = 4 };
     const double drifts[KICKS] = {chi, 1.0 - 2.0 * (chi + xi), chi, xi};
     const double kicks[KICKS] = {0.5 - lambda, lambda, lambda, 0.5 - lambda};
-    drift(c, xi * c->h);
+    rates_drift(c, xi * c->h);
     for (int k = 0; k < KICKS; ++k) {
         const int status = kick(c, kicks[k] * c->h);
         if (status != VTI_OK)
             return status;
-        drift(c, drifts[k] * c->h);
+        rates_drift(c, drifts[k] * c->h);
     }
     return VTI_OK;
 }
 
 static int pefrl(struct course *c, int64_t steps)
 {
-    int status = VTI_OK;
-    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        status = pefrl_step(c);
-        c->steps += status == VTI_OK;
-    }
-    return status;
+    return rates_steps(c, steps, pefrl_step);
 }
 
 const struct rival rival_pefrl = {
@@ -92,15 +80,15 @@ static double *state_at(const struct course *c, int k)
 static int process(struct course *c, double a, double b)
 {
     int status;
-    drift(c, a);
+    rates_drift(c, a);
     status = kick(c, b);
-    drift(c, -2.0 * a);
+    rates_drift(c, -2.0 * a);
     if (status == VTI_OK)
         status = kick(c, -2.0 * b);
-    drift(c, 2.0 * a);
+    rates_drift(c, 2.0 * a);
     if (status == VTI_OK)
         status = kick(c, b);
-    drift(c, -a);
+    rates_drift(c, -a);
     return status;
 }
 
@@ -119,7 +107,7 @@ static int displaced_forces(struct course *c, double t2)
     if (c->q != NULL)
         memset(c->w, 0, (size_t)(3 * c->n) * sizeof *c->w);
     rival_kick_all(c, t2, 0, c->n);
-    drift(c, 1.0);
+    rates_drift(c, 1.0);
     status = course_forces(c);
     memcpy(now, kept, size);
     return status;
@@ -128,10 +116,10 @@ static int displaced_forces(struct course *c, double t2)
 static int step(struct course *c)
 {
     const double h = c->h;
-    drift(c, 0.5 * h);
+    rates_drift(c, 0.5 * h);
     const int status = displaced_forces(c, h * h / 12.0);
     rival_kick_all(c, h, 0, c->n);
-    drift(c, 0.5 * h);
+    rates_drift(c, 0.5 * h);
     return status;
 }
 
@@ -154,10 +142,8 @@ static int takahashi_imada(struct course *c, int64_t steps)
     c->evals -= (int64_t)c->number[SHOW_EVALS];
     if (c->steps == 0)
         status = process(c, 0.25 * c->h, -c->h / 24.0);
-    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        status = step(c);
-        c->steps += status == VTI_OK;
-    }
+    if (status == VTI_OK)
+        status = rates_steps(c, steps, step);
     return status == VTI_OK ? lead_back(c) : status;
 }
 

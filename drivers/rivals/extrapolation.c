@@ -16,7 +16,6 @@
 #include <string.h>
 
 #include "combine.h"
-#include "quaternion.h"
 #include "rates.h"
 #include "verlet.h"
 
@@ -58,12 +57,6 @@ static int midpoint(struct course *c, int n, double **end)
     return status;
 }
 
-static void drift(const struct course *c, double t)
-{
-    rival_translate(t, c->x, c->v, 0, c->n);
-    rival_turn(t, c->q, c->w, quat_turn_exactly, 0, c->n);
-}
-
 /** Work is where the bodies are. */
 static int verlet(struct course *c, int n, double **end)
 {
@@ -72,11 +65,11 @@ static int verlet(struct course *c, int n, double **end)
     int status = VTI_OK;
     memcpy(tool->work, c->own, (size_t)rates_room(c) * sizeof *c->own);
     rates_live_in(c, tool->work);
-    drift(c, 0.5 * t);
+    rates_drift(c, 0.5 * t);
     for (int i = 0; i < n && status == VTI_OK; ++i) {
         status = course_forces(c);
         rival_kick_all(c, t, 0, c->n);
-        drift(c, i + 1 < n ? t : 0.5 * t);
+        rates_drift(c, i + 1 < n ? t : 0.5 * t);
     }
     *end = tool->work;
     return status;

@@ -12,6 +12,53 @@ enum { METHODS_MAX = 96 };
 static const vti_stepper *methods[METHODS_MAX];
 static int64_t methods_count, methods_all; /* those that are listed, and with those that are only found by name */
 
+/* ---- families ---------------------------------------------------------------------------------------------------- */
+
+static const struct rival *integrating_at(int64_t i)
+{
+    return varied_at(i, 0);
+}
+
+static const struct rival *naive_at(int64_t i)
+{
+    return varied_at(i, 1);
+}
+
+/** What there is beside the steppers of the core: first what is listed, then what scenes may name too, then what is
+ *  found by name alone, and last what the control of a scene calls for. */
+static const struct rival *(*const families[])(int64_t) = {multistep_at,   rival_at,       controlled_at, rival_general,
+                                                           rival_unlisted, integrating_at, naive_at};
+
+enum { MULTISTEP, LISTED_RIVAL, CONTROLLED, GENERAL, UNLISTED, INTEGRATING, NAIVE, FAMILIES };
+enum { LISTED = CONTROLLED, ADMITTED = UNLISTED, FOUND = INTEGRATING };
+
+/* Sets of families. */
+enum {
+    RIVALS = 1 << LISTED_RIVAL | 1 << GENERAL | 1 << UNLISTED,
+    ESTIMATING = 1 << MULTISTEP | 1 << CONTROLLED,
+    VARIED = 1 << INTEGRATING | 1 << NAIVE,
+    ALL = RIVALS | ESTIMATING | VARIED
+};
+
+/** What runs the stepper, of the families of the set; NULL if none of these does. */
+static const struct rival *engine_of(const vti_stepper *stepper, int set)
+{
+    for (int family = 0; family < FAMILIES; ++family)
+        for (int64_t i = 0; (set >> family & 1) != 0 && families[family](i) != NULL; ++i)
+            if (stepper == &families[family](i)->stepper)
+                return families[family](i);
+    return NULL;
+}
+
+/** The member of a family that is the stepper, or chooses its steps; NULL if none does. */
+static const vti_stepper *chooser_of(const vti_stepper *stepper, int family)
+{
+    for (int64_t i = 0; families[family](i) != NULL; ++i)
+        if (stepper == &families[family](i)->stepper || stepper == families[family](i)->table)
+            return &families[family](i)->stepper;
+    return NULL;
+}
+
 static void add(const vti_stepper *method)
 {
     assert(methods_all < METHODS_MAX);
@@ -23,29 +70,24 @@ static void collect(void)
     for (int64_t i = 0; i < vti_stepper_count(); ++i)
         if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE)
             add(vti_stepper_at(i));
-    for (int64_t i = 0; multistep_at(i) != NULL; ++i)
-        add(&multistep_at(i)->stepper);
-    for (int64_t i = 0; i < rival_count(); ++i)
-        add(&rival_at(i)->stepper);
-    methods_count = methods_all;
-    for (int64_t i = 0; rival_general(i) != NULL; ++i)
-        add(&rival_general(i)->stepper);
-    for (int64_t i = 0; controlled_at(i) != NULL; ++i)
-        add(&controlled_at(i)->stepper);
-    for (int64_t i = 0; rival_unlisted(i) != NULL; ++i)
-        add(&rival_unlisted(i)->stepper);
+    for (int family = 0; family < FOUND; ++family) {
+        for (int64_t i = 0; families[family](i) != NULL; ++i)
+            add(&families[family](i)->stepper);
+        methods_count = family < LISTED ? methods_all : methods_count;
+    }
 }
 
 /** What scenes may name beside the steppers of the core. */
 static const vti_stepper *admitted_at(int64_t i)
 {
-    static const struct rival *(*const families[])(int64_t) = {multistep_at, rival_at, controlled_at, rival_general};
-    for (size_t family = 0; family < sizeof families / sizeof families[0]; ++family)
+    for (int family = 0; family < ADMITTED; ++family)
         for (int64_t k = 0; families[family](k) != NULL; ++k)
             if (i-- == 0)
                 return &families[family](k)->stepper;
     return NULL;
 }
+
+/* ---- methods ----------------------------------------------------------------------------------------------------- */
 
 void method_admit(void)
 {
@@ -98,84 +140,34 @@ const vti_stepper *method_find(const char *name)
 
 const struct rival *method_rival(const vti_stepper *stepper)
 {
-    for (int64_t i = 0; rival_at(i) != NULL; ++i)
-        if (stepper == &rival_at(i)->stepper)
-            return rival_at(i);
-    for (int64_t i = 0; rival_unlisted(i) != NULL; ++i)
-        if (stepper == &rival_unlisted(i)->stepper)
-            return rival_unlisted(i);
-    for (int64_t i = 0; rival_general(i) != NULL; ++i)
-        if (stepper == &rival_general(i)->stepper)
-            return rival_general(i);
-    return NULL;
-}
-
-static const struct rival *controlled_of(const vti_stepper *stepper)
-{
-    for (int64_t i = 0; controlled_at(i) != NULL; ++i)
-        if (stepper == &controlled_at(i)->stepper || stepper == controlled_at(i)->table)
-            return controlled_at(i);
-    return NULL;
-}
-
-const vti_stepper *method_controlled(const vti_stepper *stepper)
-{
-    const struct rival *engine = controlled_of(stepper);
-    return engine != NULL ? &engine->stepper : NULL;
-}
-
-/** The stepper with steps that follow how fast bodies turn; NULL if they cannot. */
-static const struct rival *varied_of(const vti_stepper *stepper, int naive)
-{
-    for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
-        if (stepper == varied_at(i, naive)->table)
-            return varied_at(i, naive);
-    return NULL;
-}
-
-/** The engine of a stepper that varies its steps so; NULL for all others. */
-static const struct rival *varied_engine(const vti_stepper *stepper)
-{
-    for (int naive = 0; naive < 2; ++naive)
-        for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
-            if (stepper == &varied_at(i, naive)->stepper)
-                return varied_at(i, naive);
-    return NULL;
-}
-
-const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper)
-{
-    if (scene->control == 0 && !(scene->tolerance > 0.0))
-        return stepper;
-    if (scene->control != 0 && varied_engine(stepper) != NULL)
-        return stepper;
-    const struct rival *engine =
-        scene->control != 0 ? varied_of(stepper, scene->control == SCENE_NAIVE) : controlled_of(stepper);
-    return engine != NULL ? &engine->stepper : NULL;
+    return engine_of(stepper, RIVALS);
 }
 
 const struct rival *method_engine(const vti_stepper *stepper)
 {
-    for (int64_t i = 0; multistep_at(i) != NULL; ++i)
-        if (stepper == &multistep_at(i)->stepper)
-            return multistep_at(i);
-    const struct rival *engine = controlled_of(stepper);
-    if (engine != NULL && stepper == &engine->stepper)
-        return engine;
-    engine = varied_engine(stepper);
-    return engine != NULL ? engine : method_rival(stepper);
+    return engine_of(stepper, ALL);
+}
+
+const vti_stepper *method_controlled(const vti_stepper *stepper)
+{
+    return chooser_of(stepper, CONTROLLED);
+}
+
+const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper)
+{
+    if (scene->control != 0)
+        return chooser_of(stepper, scene->control == SCENE_NAIVE ? NAIVE : INTEGRATING);
+    return scene->tolerance > 0.0 ? chooser_of(stepper, CONTROLLED) : stepper;
 }
 
 int method_estimates(const vti_stepper *stepper)
 {
-    const struct rival *engine = method_engine(stepper);
-    return stepper->estimates > 0 ||
-           (engine != NULL && method_rival(stepper) == NULL && varied_engine(stepper) == NULL);
+    return stepper->estimates > 0 || engine_of(stepper, ESTIMATING) != NULL;
 }
 
 int method_is_varied(const vti_stepper *stepper)
 {
-    return varied_engine(stepper) != NULL;
+    return engine_of(stepper, VARIED) != NULL;
 }
 
 int method_chooses(const vti_stepper *stepper)

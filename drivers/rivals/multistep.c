@@ -85,7 +85,7 @@ static int prepare_multistep(struct course *c, struct message *message)
     if (s != NULL)
         s->loads = malloc((LOADS * depth + 3 + KEPT) * n * sizeof(double));
     if (s == NULL || s->loads == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", c->model->scene->name);
+        return scene_no_memory(c->model->scene, message);
     s->surfaces = model_surfaces(c->model);
     s->scratch = s->loads + LOADS * depth * n;
     s->now.memory = s->scratch + 3 * n;

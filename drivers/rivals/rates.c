@@ -5,6 +5,7 @@
 
 #include "euler.h"
 #include "quaternion.h"
+#include "verlet.h"
 
 /* ---- a state ----------------------------------------------------------------------------------------------------- */
 
@@ -175,4 +176,10 @@ int rates(struct course *c, const double *state, double *rate)
     else if (c->m != NULL)
         accelerations(rate + p.w, &c->per_inertia, c->n);
     return VTI_OK;
+}
+
+void rates_drift(const struct course *c, double t)
+{
+    rival_translate(t, c->x, c->v, 0, c->n);
+    rival_turn(t, c->q, c->w, quat_turn_exactly, 0, c->n);
 }

@@ -36,6 +36,8 @@ void rates_live_in(struct course *course, double *state);
 int rates(struct course *course, const double *state, double *rate);
 /** Normalises the quaternions of a state. */
 void rates_normalise(const struct course *course, double *state);
+/** x += t v, and attitudes turn by exp(t Omega). */
+void rates_drift(const struct course *course, double t);
 
 /** So many steps, each of which returns a status; the first that is not VTI_OK ends them. */
 VTI_INLINE int rates_steps(struct course *course, int64_t steps, int (*step)(struct course *course))

@@ -138,7 +138,7 @@ static int take_model(struct course *c, struct model *model)
 struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message)
 {
     struct course *c = calloc(1, sizeof *c);
-    message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    scene_no_memory(model->scene, message);
     if (c == NULL)
         return NULL;
     c->rival = rival;

@@ -92,7 +92,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     if (travel->copies != NULL)
         return 0;
     travel_destroy(travel);
-    return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    return scene_no_memory(model->scene, message);
 }
 
 void travel_destroy(struct travel *travel)

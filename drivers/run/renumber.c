@@ -146,7 +146,7 @@ int renumber(const struct model *model, const struct tables *tables, struct renu
     const int failed = place == NULL || now == NULL || r->number == NULL || copy_all(tables, place, now, r) != 0;
     free(place);
     free(now);
-    return failed ? message_set(message, "%s: out of memory; use fewer bodies", model->scene->name) : 0;
+    return failed ? scene_no_memory(model->scene, message) : 0;
 }
 
 void renumber_destroy(struct renumbering *r)

@@ -75,7 +75,7 @@ static int open_errors(struct run *run, struct message *message)
                            "an4, an7, an9, an10-mid or an10-fine, or leave --errors out",
                            run->scene.name, run->scene.stepper->name);
     run->model.errors = step_errors_create(run->model.bodies.count);
-    return run->model.errors != NULL ? 0 : message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
+    return run->model.errors != NULL ? 0 : scene_no_memory(&run->scene, message);
 }
 
 static int open_scene(struct run *run, struct message *message)
@@ -109,7 +109,7 @@ static int identify(struct run *run, struct message *message)
     size_t size;
     FILE *text = open_memstream(&run->record.identity, &size);
     if (text == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
+        return scene_no_memory(&run->scene, message);
     identity_version(text);
     identity_scene(text, "", &run->scene, without);
     if (run->scene.by_body)
@@ -120,7 +120,7 @@ static int identify(struct run *run, struct message *message)
     fprintf(text, "\nnumbers of a frame: %lld\n", (long long)run->record.frames.doubles);
     if (run->request->renumber)
         fputs("bodies: renumbered\n", text);
-    return fclose(text) != 0 ? message_set(message, "%s: out of memory; use fewer bodies", run->scene.name) : 0;
+    return fclose(text) != 0 ? scene_no_memory(&run->scene, message) : 0;
 }
 
 static int open_journal(struct run *run, const char *path, struct message *message)

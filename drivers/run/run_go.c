@@ -150,7 +150,7 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     double *frame = malloc(sizeof *frame * (size_t)run->record.frames.doubles); /* not beside a checkpoint's state */
     if (frame == NULL) {
-        message_set(run->message, "%s: out of memory; use fewer bodies", run->scene.name);
+        scene_no_memory(&run->scene, run->message);
         return stop(run, RUN_FAILED);
     }
     frame_take(&run->record.frames, step, t, bodies, frame);

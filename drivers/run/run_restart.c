@@ -100,11 +100,6 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
 
 /* ---- rows and frames --------------------------------------------------------------------------------------------- */
 
-static void no_memory(const struct record *record, struct message *message)
-{
-    message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
-}
-
 static int fill_rows(hid_t file, const struct record *record, int64_t rows, struct message *message)
 {
     enum { BLOCK = 4096, NAME = 64 };
@@ -112,7 +107,7 @@ static int fill_rows(hid_t file, const struct record *record, int64_t rows, stru
     double(*values)[BLOCK] = malloc(sizeof *values * (size_t)columns->count);
     int failed = values == NULL;
     if (failed)
-        no_memory(record, message);
+        scene_no_memory(record->model->scene, message);
     for (int64_t first = 0; !failed && first < rows; first += BLOCK) {
         const int64_t count = rows - first < BLOCK ? rows - first : BLOCK;
         for (int c = 0; !failed && c < columns->count; ++c) {
@@ -134,24 +129,18 @@ static int fill_rows(hid_t file, const struct record *record, int64_t rows, stru
 static int read_frame(hid_t file, const struct record *record, int64_t k, double *frame)
 {
     const struct frame_layout *layout = &record->frames;
-    const struct {
-        const char *name;
-        int64_t place;
-    } parts[] = {{"VTKHDF/Points", layout->x},
-                 {"VTKHDF/PointData/velocity", layout->v},
-                 {"VTKHDF/PointData/omega", layout->omega},
-                 {"VTKHDF/PointData/alpha", layout->alpha}};
+    struct frame_quantity list[FRAME_QUANTITIES];
+    const int count = frame_quantities(record, list);
     double t = 0.0;
     int failed = read_rows(file, "VTKHDF/Steps/Values", k, 1, 1, &t);
     frame[0] = rint(t / record->h);
     frame[1] = t;
-    for (size_t q = 0; !failed && q < sizeof parts / sizeof parts[0]; ++q)
-        if (parts[q].place != 0)
-            failed = read_rows(file, parts[q].name, layout->n * k, layout->n, 3, frame + parts[q].place);
-    for (int64_t e = 0; !failed && e < layout->entries; ++e) {
+    failed = failed || read_rows(file, "VTKHDF/Points", layout->n * k, layout->n, 3, frame + layout->x);
+    for (int q = 0; !failed && q < count; ++q) {
         char name[64];
-        snprintf(name, sizeof name, "VTKHDF/PointData/%s", layout->entry[e]);
-        failed = read_rows(file, name, layout->n * k, layout->n, 1, frame + layout->lost + e * layout->n);
+        snprintf(name, sizeof name, "VTKHDF/PointData/%s", list[q].name);
+        if (list[q].derive == NULL && list[q].field == 0)
+            failed = read_rows(file, name, layout->n * k, layout->n, list[q].components, frame + list[q].place);
     }
     return failed;
 }
@@ -161,7 +150,7 @@ static int fill_frames(hid_t file, const struct record *record, int64_t frames, 
     double *frame = malloc(sizeof *frame * (size_t)record->frames.doubles);
     int failed = frame == NULL;
     if (failed)
-        no_memory(record, message);
+        scene_no_memory(record->model->scene, message);
     for (int64_t k = 0; !failed && k < frames; ++k)
         failed = read_frame(file, record, k, frame) != 0 ||
                  journal_add(record->journal, &record->journal->frames, frame, message) != 0;

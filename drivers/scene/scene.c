@@ -81,3 +81,8 @@ int scene_read(const char *path, const char *const *overrides, int n, struct sce
     scene_text_destroy(&text);
     return result;
 }
+
+int scene_no_memory(const struct scene *scene, struct message *message)
+{
+    return message_set(message, "%s: out of memory; use fewer bodies", scene->name);
+}

@@ -165,6 +165,8 @@ const char *scene_control_word(const struct scene *scene);
 /** The key of the first of its effects that has the trait, NULL if none has. Of stiff ones steps above h may be
  *  unstable. */
 const char *scene_first_with(const struct scene *scene, enum effect_trait trait);
+/** Says that there is no memory for what the scene asks. Returns -1. */
+int scene_no_memory(const struct scene *scene, struct message *message);
 
 /* ---- lists for people -------------------------------------------------------------------------------------------- */
 

@@ -212,7 +212,7 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
     if (create_forks(&run) != 0) {
         free(run.reader.memory);
         free(run.probe.memory);
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     }
     run.joins = can_join(&run);
     vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};

@@ -32,7 +32,7 @@ static int make_books(const struct model *model, struct effect *e, const vti_eff
     if (!model->scene->by_body || draft->books == 0)
         return 0;
     e->by_body = calloc((size_t)(model_acted_on(model, e) * draft->of_body) + 1, sizeof *e->by_body);
-    return e->by_body != NULL ? 0 : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    return e->by_body != NULL ? 0 : scene_no_memory(model->scene, message);
 }
 
 /** An effect of the scene, with memory of its own. */
@@ -182,12 +182,11 @@ int model_apply(const struct model *model, const vti_effect *acting, const vti_b
 int model_forces(struct model *model, const vti_bodies *bodies)
 {
     const int status = model_find_pairs(model, bodies);
-    if (status == VTI_OK && model->slices != NULL && bodies == &model->bodies)
-        return slices_apply(model);
     if (status != VTI_OK)
         return status;
-    return model_has_clumps(model) ? model_apply(model, model->acting, bodies, model_spheres(model))
-                                   : vti_apply(model->effects, model->effects_count, bodies);
+    if (model->slices != NULL && bodies == &model->bodies)
+        return slices_apply(model);
+    return model_apply(model, model_has_clumps(model) ? model->acting : model->effects, bodies, model_spheres(model));
 }
 
 double model_energy(struct model *model, const vti_bodies *bodies)

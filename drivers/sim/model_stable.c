@@ -176,7 +176,8 @@ static double weight_to_sink(const struct model *model, const vti_bodies *b)
     double most = 0.0, g[3];
     fields_of(model, g);
     const vti_bodies *spheres = model_has_clumps(model) ? model_spheres(model) : b;
-    for (int64_t s = 0; s < spheres->count && model->translates && has_walls(model); ++s) {
+    const int falls = model->translates && has_walls(model);
+    for (int64_t s = 0; s < spheres->count && falls; ++s) {
         const int64_t i = model_has_clumps(model) ? model->clumps.list.body[s] : s;
         most = fmax(most, scalar(&b->mass, i) * vti_norm(g) * scalar(&model->diameter, s));
     }
@@ -190,9 +191,9 @@ vti_deformation model_deformation(const struct model *model, const vti_bodies *b
     enum { TIMES = 16 };
     const double energy = energy_to_meet(model, bodies) + energy_held(model, bodies);
     const double weight = weight_to_sink(model, bodies);
-    vti_deformation at = deformation_by(model, bodies, weight);
     if (!(energy < weight))
         return deformation_by(model, bodies, energy);
+    vti_deformation at = deformation_by(model, bodies, weight);
     for (int k = 0; k < TIMES; ++k)
         at = deformation_by(model, bodies, fmax(energy, weight * at.overlap));
     return at;
@@ -200,37 +201,38 @@ vti_deformation model_deformation(const struct model *model, const vti_bodies *b
 
 /* ---- the bound --------------------------------------------------------------------------------------------------- */
 
-int model_stable_step(const struct model *model, const vti_bodies *bodies, const vti_deformation *at,
-                      vti_stable *stable, struct message *message)
+/** That of these effects alone. */
+static int stable_step(const struct model *model, const vti_effect *effects, int64_t count, const vti_bodies *bodies,
+                       const vti_deformation *at, vti_stable *stable, struct message *message)
 {
     double *scratch = calloc(bodies->count > 0 ? (size_t)bodies->count : 1, sizeof *scratch);
     if (scratch == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
-    const int status = vti_stable_step(model->effects, model->effects_count, bodies, at, scratch, stable);
+        return scene_no_memory(model->scene, message);
+    const int status = vti_stable_step(effects, count, bodies, at, scratch, stable);
     free(scratch);
     return status == VTI_OK ? 0 : message_set(message, "%s: %s", model->scene->name, vti_status_text(status));
+}
+
+int model_stable_step(const struct model *model, const vti_bodies *bodies, const vti_deformation *at,
+                      vti_stable *stable, struct message *message)
+{
+    return stable_step(model, model->effects, model->effects_count, bodies, at, stable, message);
 }
 
 int model_longest_gap(const struct model *model, double *gap, struct message *message)
 {
     const vti_deformation at = model_deformation(model, &model->bodies);
-    double *scratch = calloc((size_t)model->bodies.count, sizeof *scratch);
-    int status = scratch != NULL ? VTI_OK : VTI_E_NULL;
     *gap = INFINITY;
-    for (int64_t k = 0; k < model->effects_count && status == VTI_OK; ++k) {
+    for (int64_t k = 0; k < model->effects_count; ++k) {
         const vti_effect *e = &model->effects[k];
-        vti_stable stable;
+        vti_stable stable = {.h = INFINITY};
         if (e->smooth || e->rupture != NULL || e->apply == NULL)
             continue;
-        status = vti_stable_step(e, 1, &model->bodies, &at, scratch, &stable);
-        *gap = status == VTI_OK ? fmin(*gap, 1.5 * stable.h) : *gap; /* h is 2/omega */
+        if (stable_step(model, e, 1, &model->bodies, &at, &stable, message) != 0)
+            return -1;
+        *gap = fmin(*gap, 1.5 * stable.h); /* h is 2/omega */
     }
-    if (scratch == NULL)
-        message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
-    else if (status != VTI_OK)
-        message_set(message, "%s: %s", model->scene->name, vti_status_text(status));
-    free(scratch);
-    return status == VTI_OK ? 0 : -1;
+    return 0;
 }
 
 void model_limit_text(const struct model *model, const vti_deformation *at, const vti_stable *stable, char *text,

@@ -134,7 +134,7 @@ int norms_create(struct norms *n, struct model *model, const struct trial *trial
     n->memory = calloc((size_t)(bodies * (width + loads) * PANELS_BLOCK + PANELS_SPARE), sizeof *n->memory);
     n->bodies = calloc((size_t)bodies, sizeof *n->bodies);
     if (n->memory == NULL || n->bodies == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     n->kept = panels_aligned(n->memory);
     n->loads = n->kept + bodies * width * PANELS_BLOCK;
     for (int64_t i = 0; i < bodies && n->terms_count >= 0; ++i) {

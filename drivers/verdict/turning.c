@@ -5,24 +5,10 @@
 
 static const double pi = 3.14159265358979323846;
 
-/** atan z for 0 <= z <= 1: tan(u/2) = tan u/(1 + sqrt(1 + tan^2 u)) three times, to z < 0.099, and the series to
- *  z^15. */
-static double arctangent(double z)
-{
-    enum { HALVINGS = 3, LAST = 15 };
-    for (int k = 0; k < HALVINGS; ++k)
-        z /= 1.0 + sqrt(1.0 + z * z);
-    double sum = 0.0;
-    for (int k = LAST; k > 0; k -= 2)
-        sum = 1.0 / k - z * z * sum;
-    return (1 << HALVINGS) * z * sum;
-}
-
 /** The angle of the point (x, y), in [0, 2 pi). */
 static double direction(double x, double y)
 {
-    const double a = fabs(x), b = fabs(y);
-    const double acute = a >= b ? arctangent(b / a) : 0.5 * pi - arctangent(a / b);
+    const double acute = vti_arc(fabs(y), fabs(x));
     if (y >= 0.0)
         return x >= 0.0 ? acute : pi - acute;
     return x < 0.0 ? pi + acute : 2.0 * pi - acute;

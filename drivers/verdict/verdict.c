@@ -69,7 +69,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
         vti_sum_add(&mass, model->bodies.mass.p[i * model->bodies.mass.stride]);
     v->mass = vti_sum_value(&mass);
     if (modified_create(&v->modified, model, stepper, h) != 0 || start_watches(model, &v->watches) != 0)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     return 0;
 }
 

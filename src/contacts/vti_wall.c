@@ -229,16 +229,6 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
-/** A force along n breaks momentum along it, and angular momentum across it. */
-static int64_t broken_by_plane(const double n[3])
-{
-    int64_t breaks = 0;
-    for (int k = 0; k < 3; ++k)
-        if (n[k] != 0.0)
-            breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    return breaks;
-}
-
 /** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z, and has not
  *  left it. */
 static int64_t broken_by_cylinder(const double cylinder[7], const vti_wall_motion *m)
@@ -262,7 +252,7 @@ static int64_t broken_by(const vti_walls *p)
 {
     int64_t breaks = 0;
     for (int64_t w = 0; w < vti_faces(p); ++w)
-        breaks |= w < p->count ? broken_by_plane(vti_face_axis(p, w))
+        breaks |= w < p->count ? vti_broken_along(vti_face_axis(p, w))
                                : broken_by_cylinder(vti_face_axis(p, w), vti_face_motion(p, w));
     return breaks;
 }

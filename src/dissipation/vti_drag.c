@@ -28,6 +28,11 @@ static double value(const vti_scalars *s, int64_t i)
     return s->p != NULL ? vti_scalar(s, i) : 0.0;
 }
 
+static int slows(const vti_drag *p)
+{
+    return p->linear.p != NULL || p->quadratic.p != NULL;
+}
+
 /** The velocity of body i, the residual of compensated sums included. */
 static void store(const vti_view *view, const vti_view *low, int64_t i, const double a[3], double kept)
 {
@@ -149,18 +154,18 @@ static void flow_spheres(const void *self, const vti_clumps *clumps, const vti_b
     vti_drag single = *p; /* which books what one sphere loses */
     const struct vti_bearing of = {clumps, bodies};
     const vti_bodies spheres = vti_clumps_spheres(clumps, bodies);
-    const int slows = p->linear.p != NULL || p->quadratic.p != NULL, back = drift < 0.0;
+    const int pushes = slows(p), back = drift < 0.0;
     struct vti_joint at = {.side = {{.body = -1}, {.body = -1}}};
     single.lost = own;
     for (int64_t k = 0; k < spheres.count; ++k) {
         const int64_t s = spheres.first + (back ? spheres.count - 1 - k : k);
         memset(own, 0, sizeof own);
         vti_joint_load(&of, s, centre, &at.side[0]);
-        if (slows && !back)
+        if (pushes && !back)
             slow_sphere(&single, &at, s, t);
         if (p->angular.p != NULL)
             slow_axes(&at, vti_scalar(&p->angular, s), t, &own[1]);
-        if (slows && back)
+        if (pushes && back)
             slow_sphere(&single, &at, s, t);
         vti_joint_store(&of, &at.side[0]);
         vti_share_out(own, VTI_DRAG_BOOKS, p->lost, p->by_body, s, -1);
@@ -191,7 +196,7 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
         flow_singly(p, b, t, drift);
         return;
     }
-    if (p->linear.p != NULL || p->quadratic.p != NULL)
+    if (slows(p))
         slow_all(p, b, t, vti_has(&b->v_low), slow, 0);
     if (p->angular.p != NULL && vti_has(&b->moments))
         slow_all(p, b, t, 1, slow_general, 1);
@@ -220,11 +225,6 @@ static int are_good(const vti_scalars *s, const vti_bodies *b)
     for (int64_t i = b->first; s->p != NULL && i < end; ++i)
         good &= isfinite(vti_scalar(s, i)) && vti_scalar(s, i) >= 0.0;
     return good;
-}
-
-static int slows(const vti_drag *p)
-{
-    return p->linear.p != NULL || p->quadratic.p != NULL;
 }
 
 /** Whether what it slows now is there. */

@@ -180,6 +180,6 @@ vti_effect vti_clumped_effect(const vti_clumped *clumped)
     effect.by_body = NULL; /* that of the spheres */
     effect.needs = 1 << VTI_QUANTITY_ALPHA;
     effect.gives = (e->gives & force) != 0 ? force | moment : e->gives;
-    effect.breaks |= 7 << 6;
+    effect.breaks |= VTI_BREAKS_SPINS;
     return effect;
 }

@@ -111,7 +111,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     (void)table;
     if (self == NULL || pair == NULL) {
         free(pair);
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     }
     if (held > 0 && model_has_clumps(model) && !shape_lines_join_spheres(model)) {
         free(pair);
@@ -141,7 +141,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
      * to 7 % more time (scenes heap, drum, column). The verdict says where two do (judgement.c). */
     self->neighbours.reach = 0.1 * self->neighbours.skin;
     if (!model_has_clumps(model) && chunks_create(&self->chunks, spheres) != 0)
-        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+        return scene_no_memory(model->scene, message);
     return 0;
 }
 

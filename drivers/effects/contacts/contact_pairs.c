@@ -114,20 +114,8 @@ int contact_take_part(const struct effect *e, const vti_bodies *slice, struct ef
     int64_t *pair = effect_part_room(part, 3 * n);
     if (pair == NULL)
         return -1;
-    double *length = (double *)(void *)(pair + 2 * n);
     part->age = self->age;
-    part->contacts = *all;
-    part->contacts.count = 0;
-    part->contacts.pair = pair;
-    for (int64_t k = 0; k < all->count; ++k)
-        if (vti_pairs_of_slice(1, all->pair + 2 * k, all->base, slice->first, slice->count, NULL) > 0) {
-            int64_t *to = pair + 2 * part->contacts.count;
-            to[0] = all->pair[2 * k];
-            to[1] = all->pair[2 * k + 1];
-            length[part->contacts.count++] = all->length.p != NULL ? all->length.p[k] : 0.0;
-        }
-    if (all->length.p != NULL)
-        part->contacts.length = vti_scalars_array(length);
+    part->contacts = chunks_pairs_of(all, slice, pair, (double *)(void *)(pair + 2 * n));
     part->made = vti_contacts_effect(&part->contacts);
     return 0;
 }

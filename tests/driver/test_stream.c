@@ -3,9 +3,7 @@
 #define _GNU_SOURCE /* fopencookie: a file that fails when it is told to */
 #include "support.h"
 
-#include <errno.h>
-
-#include "folder.h"
+#include "stream.h"
 
 struct disk {
     int fails; /* writes from now on that find no space */
@@ -38,7 +36,7 @@ TEST(test_all_taken)
     struct disk disk = {0, 0};
     FILE *file = disk_open(&disk);
     assert_true(fputs("all of it", file) >= 0);
-    assert_int_equal(sync_end(file, fclose), 0);
+    assert_int_equal(stream_end(file, fclose), 0);
     assert_int_equal(disk.taken, 9);
 }
 
@@ -48,7 +46,7 @@ TEST(test_last_write_fails)
     FILE *file = disk_open(&disk);
     assert_true(fputs("all of it", file) >= 0);
     errno = 0;
-    assert_int_equal(sync_end(file, fclose), -1);
+    assert_int_equal(stream_end(file, fclose), -1);
     assert_int_equal(errno, ENOSPC);
 }
 
@@ -62,7 +60,7 @@ TEST(test_earlier_write_fails)
         assert_true(fputs("lost", file) >= 0);
         assert_int_equal(fflush(file), EOF);
         errno = 0;
-        assert_int_equal(sync_end(file, ends[k]), -1);
+        assert_int_equal(stream_end(file, ends[k]), -1);
         assert_int_equal(errno, ENOSPC);
         if (ends[k] == fflush)
             fclose(file);
