@@ -15,8 +15,10 @@
 
 enum { N = 512 };
 
+#define STIFFNESS 1.0
+
 static double one = 1.0;
-static const double stiffness = 1.0, diameter = 1.0, h = 1e-3;
+static const double stiffness = STIFFNESS, diameter = 1.0, h = 1e-3;
 static double x[N][3], v[N][3], force[N][3], alpha[N][3], omega[N][3], moment[N][3], rest[N][4];
 static int64_t pair[N - 1][2];
 static const double floor_plane[1][4] = {{0.0, 0.0, 1.0, -0.4}}; /* every body touches it */
@@ -27,6 +29,21 @@ static int64_t slots[2 * N];
 static vti_sum lost[5][5];
 static int64_t id[N - 1];
 static const vti_gravity gravity = {{0.0, 0.0, -1.0}};
+static const double limit = 1e9; /* nothing breaks: what looking for it costs */
+
+/* those of the letters m, a and s get their stiffnesses by set_bonds */
+static vti_bonds bonds = {.count = N - 1, .pair = pair[0], .rest = rest[0], .shear_form = VTI_SHEAR_OBJECTIVE}, held;
+static const vti_contacts contacts = {
+    .count = N - 1, .pair = pair[0], .diameter = {.p = &diameter}, .stiffness = STIFFNESS};
+static const vti_walls walls = {
+    .count = 1, .plane = floor_plane[0], .diameter = {.p = &diameter}, .stiffness = STIFFNESS};
+static vti_history history = {2 * N, 0, 0, entries, slots};
+static const vti_friction friction = {
+    .contacts = &contacts, .sliding = 0.5, .mindlin = 0.8, .reach = 0.1, .history = &history, .lost = lost[0]};
+static vti_dashpots dashpots = {.contacts = &contacts, .zeta = 0.1, .ratio = 0.5, .reach = 0.1, .lost = lost[1]};
+static const vti_drag drag = {.linear = {.p = &stiffness}, .lost = lost[2]};
+static const vti_rupture rupture = {.bonds = &held, .id = id, .normal = {.p = &limit}, .lost = lost[3]};
+static const vti_bond_dashpots bond_dashpots = {.bonds = &bonds, .zeta = 0.1, .lost = lost[4]};
 
 /** A chain along x, its neighbours slightly overlapping, everything moving a little. */
 static void place(void)
@@ -74,102 +91,134 @@ static void by_hand(long steps)
         }
 }
 
-int main(int argc, char **argv)
+static int has(const char *config, const char *letters)
 {
-    const char *config = argc >= 3 ? argv[1] : "";
-    const long steps = argc >= 3 ? atol(argv[2]) : 0;
-    vti_bodies b = vti_bodies_none(strchr(config, '1') != NULL ? 1 : N);
-    vti_effect effects[10];
-    int64_t n = 0, broken = 0;
-    place();
-    if (strchr(config, 't') != NULL) {
+    return strpbrk(config, letters) != NULL;
+}
+
+static vti_bodies set_bodies(const char *config)
+{
+    vti_bodies b = vti_bodies_none(has(config, "1") ? 1 : N);
+    if (has(config, "t")) {
         b.x = view(config, x);
         b.v = view(config, v);
         b.mass = vti_scalars_one(&one);
     }
-    if (strchr(config, 'r') != NULL) {
+    if (has(config, "r")) {
         b.alpha = view(config, alpha);
         b.omega = view(config, omega);
         b.inertia = vti_scalars_one(&one);
     }
-    if (strchr(config, 'l') != NULL && strchr(config, 't') != NULL)
+    if (has(config, "l") && has(config, "t"))
         b.force = view(config, force);
-    if (strchr(config, 'l') != NULL && strchr(config, 'r') != NULL)
+    if (has(config, "l") && has(config, "r"))
         b.moment = view(config, moment);
+    return b;
+}
 
-    const vti_scalars none = {NULL, 0, 0}, k = vti_scalars_one(&stiffness), d = vti_scalars_one(&diameter);
-    const int terms = strpbrk(config, "mas") != NULL;
-    const vti_bonds bonds = {N - 1,
-                             pair[0],
-                             0,
-                             rest[0],
-                             strchr(config, 'm') != NULL ? k : none,
-                             strchr(config, 'a') != NULL ? k : none,
-                             strchr(config, 's') != NULL ? k : none,
-                             VTI_SHEAR_OBJECTIVE,
-                             NULL};
-    const vti_contacts contacts = {.count = N - 1, .pair = pair[0], .diameter = d, .stiffness = stiffness};
-    const vti_walls walls = {.count = 1, .plane = floor_plane[0], .diameter = d, .stiffness = stiffness};
-    if (terms) {
-        const vti_view start = vti_view_packed(x[0]);
-        vti_bonds_rest(N - 1, pair[0], 0, &start, rest[0], NULL);
-        effects[n++] = vti_bonds_effect(&bonds);
+static int set_bonds(const char *config)
+{
+    const vti_view start = vti_view_packed(x[0]);
+    const vti_scalars none = {NULL, 0, 0}, k = vti_scalars_one(&stiffness);
+    bonds.moment = has(config, "m") ? k : none;
+    bonds.axial = has(config, "a") ? k : none;
+    bonds.shear = has(config, "s") ? k : none;
+    held = bonds;
+    return has(config, "mas") ? vti_bonds_rest(N - 1, pair[0], 0, &start, rest[0], NULL) : VTI_OK;
+}
+
+/* made only where they are asked for: a scene calls no function of what it does not have */
+#define MAKES(name)                                                                                                    \
+    static vti_effect make_##name(void)                                                                                \
+    {                                                                                                                  \
+        return vti_##name##_effect(&name);                                                                             \
     }
-    if (strchr(config, 'c') != NULL)
-        effects[n++] = vti_contacts_effect(&contacts);
-    if (strchr(config, 'w') != NULL)
-        effects[n++] = vti_walls_effect(&walls);
-    if (strchr(config, 'g') != NULL)
-        effects[n++] = vti_gravity_effect(&gravity);
-    if (strchr(config, 'p') != NULL)
-        effects[n++] = vti_pendulum_effect(&pendulum);
+MAKES(bonds)
+MAKES(contacts)
+MAKES(walls)
+MAKES(gravity)
+MAKES(pendulum)
+MAKES(friction)
+MAKES(dashpots)
+MAKES(drag)
+MAKES(rupture)
+MAKES(bond_dashpots)
 
-    vti_history history = {2 * N, 0, 0, entries, slots};
-    const vti_friction friction = {
-        .contacts = &contacts, .sliding = 0.5, .mindlin = 0.8, .reach = 0.1, .history = &history, .lost = lost[0]};
-    const vti_dashpots dashpots = {.contacts = &contacts,
-                                   .friction = strchr(config, 'f') != NULL ? &friction : NULL,
-                                   .zeta = 0.1,
-                                   .ratio = 0.5,
-                                   .reach = 0.1,
-                                   .lost = lost[1]};
-    const vti_drag drag = {.linear = k, .lost = lost[2]};
-    const vti_bond_dashpots bond_dashpots = {.bonds = &bonds, .zeta = 0.1, .lost = lost[4]};
-    const double limit = 1e9; /* nothing breaks: what looking for it costs */
-    vti_bonds held = bonds;
-    const vti_rupture rupture = {.bonds = &held, .id = id, .normal = vti_scalars_one(&limit), .lost = lost[3]};
-    if (strchr(config, 'f') != NULL)
-        effects[n++] = vti_friction_effect(&friction);
-    if (strchr(config, 'd') != NULL)
-        effects[n++] = vti_dashpots_effect(&dashpots);
-    if (strchr(config, 'x') != NULL)
-        effects[n++] = vti_drag_effect(&drag);
-    if (strchr(config, 'k') != NULL)
-        effects[n++] = vti_rupture_effect(&rupture);
-    if (strchr(config, 'b') != NULL)
-        effects[n++] = vti_bond_dashpots_effect(&bond_dashpots);
+static const struct {
+    const char *letters;
+    vti_effect (*make)(void);
+} kinds[] = {{"mas", make_bonds},  {"c", make_contacts},     {"w", make_walls},    {"g", make_gravity},
+             {"p", make_pendulum}, {"f", make_friction},     {"d", make_dashpots}, {"x", make_drag},
+             {"k", make_rupture},  {"b", make_bond_dashpots}};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
+/** Those of the letters, and how many. */
+static int64_t set_effects(const char *config, vti_effect effects[KINDS])
+{
+    int64_t n = 0;
+    dashpots.friction = has(config, "f") ? &friction : NULL;
+    for (int k = 0; k < KINDS; ++k)
+        if (has(config, kinds[k].letters))
+            effects[n++] = kinds[k].make();
+    return n;
+}
+
+static int step_losing(const vti_stepper *method, const char *config, const vti_effect *effects, int64_t n,
+                       const vti_bodies *b)
+{
+    int64_t broken = 0;
+    int status = vti_effects_begin(method, h, effects, n, b, NULL);
+    if (status == VTI_OK)
+        status = vti_apply(effects, n, b);
+    if (status == VTI_OK)
+        status = vti_effects_finish(method, h, effects, n, b);
+    return status == VTI_OK && has(config, "k") ? vti_effects_rupture(effects, n, b, &broken) : status;
+}
+
+static int step_plain(const vti_stepper *method, const char *config, const vti_effect *effects, int64_t n,
+                      const vti_bodies *b)
+{
+    int status = vti_step_begin(method, h, b, NULL);
+    if (status == VTI_OK && !has(config, "y"))
+        status = vti_apply(effects, n, b);
+    return status == VTI_OK ? vti_step_finish(method, h, b) : status;
+}
+
+/** Of the first call that is refused. */
+static int go(const char *config, long steps)
+{
+    const vti_stepper *method = vti_stepper_find("vti2");
+    vti_bodies b = set_bodies(config);
+    vti_effect effects[KINDS];
+    int status = set_bonds(config);
+    const int64_t n = set_effects(config, effects);
+    if (status == VTI_OK && !has(config, "u"))
+        status = vti_bodies_seal(&b);
+    for (long s = 0; s < steps && status == VTI_OK; ++s)
+        status = (has(config, "dfxkb") ? step_losing : step_plain)(method, config, effects, n, &b);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 3) {
+        fputs("usage: cost CONFIG STEPS [WEIGHT]\n", stderr);
+        return EXIT_FAILURE;
+    }
+    const char *config = argv[1];
+    const long steps = atol(argv[2]);
+    int status = VTI_OK;
+    place();
     if (argc > 3)
         pendulum.weight = one = atof(argv[3]);
-    const vti_stepper *method = vti_stepper_find("vti2");
-    int status = strchr(config, 'u') == NULL ? vti_bodies_seal(&b) : VTI_OK;
-    if (strchr(config, 'h') != NULL)
+    if (has(config, "h"))
         by_hand(steps);
-    else if (strpbrk(config, "dfxkb") != NULL)
-        for (long s = 0; s < steps && status == VTI_OK; ++s) {
-            status = vti_effects_begin(method, h, effects, n, &b, NULL);
-            vti_apply(effects, n, &b);
-            vti_effects_finish(method, h, effects, n, &b);
-            if (strchr(config, 'k') != NULL)
-                status = vti_effects_rupture(effects, n, &b, &broken);
-        }
     else
-        for (long s = 0; s < steps && status == VTI_OK; ++s) {
-            status = vti_step_begin(method, h, &b, NULL);
-            if (strchr(config, 'y') == NULL)
-                vti_apply(effects, n, &b);
-            vti_step_finish(method, h, &b);
-        }
+        status = go(config, steps);
+    if (status != VTI_OK) {
+        fprintf(stderr, "cost: %s: %s\n", config, vti_status_text(status));
+        return EXIT_FAILURE;
+    }
     printf("%s: %.17g %.17g\n", config, x[N / 2][2], alpha[N / 2][0]);
-    return status == VTI_OK ? EXIT_SUCCESS : EXIT_FAILURE;
+    return EXIT_SUCCESS;
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each effect costs, in instructions counted by callgrind, and that what is not named costs nothing. Counts do not
-depend
-on what else the machine does. Prints the table of docs/steppers.md.      test_cost.py COST VALGRIND [PAGE]
+"""What each effect costs, in instructions counted by callgrind, that what is not named costs nothing, and that what is
+refused does not count as cheap. Counts do not depend on what else the machine does. Prints the table of docs/steppers.md.
+                                                             test_cost.py COST VALGRIND [PAGE]
 PAGE: that page, of builds with kernels for AVX2, whose counts it has."""
 import functools
 import os
@@ -103,5 +103,9 @@ rotation = re.compile("turn|rotate|moment")
 _, names = per_body("tla")
 check(not any(map(rotation.search, names)), "a scene in which nothing can turn calls no function of rotation")
 kernels = {n.removesuffix(".cold") for n in names_whole if re.match("loads_|energy_", n)}
+for refused, words in ("tlp", "an effect needs what the bodies do not have"), ("rlg", "an effect needs"), ("tlf", "an effect needs"):
+    done = subprocess.run([COST, refused, "1"], capture_output=True, text=True, check=False)
+    check(done.returncode == 1 and done.stdout == "" and done.stderr.startswith(f"cost: {refused}: {words}") and done.stderr.count("\n") == 1,
+          f"a scene that is refused costs nothing, and says so: {done.returncode}, {done.stderr.strip()[:80]}")
 check(kernels == {"loads_ALPHA_moment_axial_objective"}, f"one kernel of bonds, and no energy unless asked: {kernels}")
 conclude()

@@ -199,6 +199,10 @@ def failing(base):
     steps = {stepper: [int(row["steps"]) for row in ladder] for (_, stepper), ladder in ladders(folder).items()}
     check(steps == {"vti1": [640], "vti2": [10, 640]}, f"it has no row: {steps}")
     check("1 run of vti1 that failed" in result.stdout and "h|Omega|" in result.stdout, "the screen names it and the reason")
+    result = cost(1, PENDULUM, "--h", "2", "--t-end", "512", "--steppers", "exact,gear", folder=f"{base}/diverging")
+    check(result.returncode == 0 and [stepper for _, stepper in ladders(f"{base}/diverging")] == ["exact"] and
+          "1 run of gear that failed, the last one: gear at h = 2: at t = " in result.stdout and "the state is no longer finite" in result.stdout,
+          f"a run that diverges has none: {result.stdout.strip()[-200:]}")
 
 
 def all_by_one_step(base):
@@ -223,9 +227,14 @@ def refused(base):
         ("bad end of a scene", [PENDULUM + "@10,x"], ["pendulum.yaml@10,x", "'x'"]),
         ("h that does not divide", [PENDULUM, "--h", "0.3"], ["--h", "0.3", "does not divide"]),
         ("varied steps", [PENDULUM, "--set", "control=integrating"], ["pendulum: control: ", "leave it out"]),
+        ("33 ends", [f"{PENDULUM}@{','.join(map(str, range(1, 34)))}"], ["pendulum: more than 32 scenes and ends"]),
+        ("33 scenes", [PENDULUM, *(f"{base}/{k}.yaml" for k in range(1, 33))], ["32.yaml: more than 32 scenes; use fewer"]),
         ("bad --repeats", [PENDULUM, "--repeats", "1.5"], ["--repeats", "'1.5'"]),
         ("bad --evals", [PENDULUM, "--evals", "0"], ["--evals", "'0'"]),
     ]
+    for k in range(1, 33):
+        with open(PENDULUM, encoding="utf-8") as one, open(f"{base}/{k}.yaml", "w", encoding="utf-8") as other:
+            other.write(one.read().replace("name: pendulum", f"name: p{k}"))
     for what, arguments, expected in cases:
         folder = f"{base}/refused"
         result = cost(2, *arguments, folder=folder)

@@ -136,6 +136,7 @@ static const struct refusal overrides[] = {
     {"=1", "is not path=value; write h=1e-3 or bodies.omega=[0,0,1], say"},
     {"h=[1", "h: not YAML: flow sequence without a closing bracket" BRACKETS},
     {"h=0", "h: '0' is not positive; the time step must be > 0"},
+    {"h=#x", "h: no value in it; write one"},
     {"h=*a", "h: an alias; aliases are not read in scenes, write the value itself"},
     {"h=1\n---\n2", "h: a second document; a scene is one document, without '---' inside"},
     {"bodies=1", "bodies: a section is not set as a whole; set one of its keys: " BODY_KEYS},

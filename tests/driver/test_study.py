@@ -123,6 +123,8 @@ def refused(base):
         ("more steps than can be counted, of pairs", lambda: [TORUS, "--h", "1/16", "--t-end", "1e300"], ["more than 2^53 steps"]),
         ("more steps than can be counted, priced", lambda: [scene, "--cost", "--h", "1/16", "--t-end", "1e300"],
          ["t_end = 1e+300 of pendulum is more than 2^53 steps of h = 0.0625"]),
+        ("steps that do not meet", lambda: [TORUS, "--h=0.001,0.0007"],
+         ["--h: 0.0007 does not divide the longest step 0.001", "use a ladder such as 1/1000:1/8000"]),
         ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk5"], ["--steppers", "'rk5'", "vti1, vti2, vti3"]),
         ("a stepper of the scene", lambda: [scene, "--set", "stepper=vti2"], ["--set stepper=vti2", "use --steppers"]),
         ("a step beside steps", lambda: [scene, "--set", "h=1/8", "--h", "1/64"], ["--set h=1/8", "--h has the steps"]),

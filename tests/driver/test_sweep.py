@@ -111,6 +111,9 @@ def failures(base):
     table = rows(f"{base}/failed1")
     check(contents(f"{base}/failed1", ["timing.csv"]) == contents(f"{base}/failed3", ["timing.csv"]), "... the same on 3 ranks")
     failed = [row for row in table if row["failure"]]
+    study(1, SPIN, "--sweep", 'bodies.inertia="1",2', "--steppers", "vti2", "--h", "1/4", "--t-end", "1", folder=f"{base}/quotes")
+    found = [row["bodies.inertia"] for row in rows(f"{base}/quotes")]
+    check(found == ['"1"', "2"] and '0,"""1""",' in lines(f"{base}/quotes")[1], f"quotes in a value are doubled: {found}")
     check(len(table) == 8 and len(failed) == 1 and "vti1 at h = 0.25" in failed[0]["failure"] and failed[0]["verdict"] == "bad"
           and failed[0]["h1_error"] == "nan", "... it is a row with its reason")
     check(run(STUDY, "--no-plot", SPIN, "--sweep", "bodies.omega=[0, 0, 1],[0, 0, 5]", "--steppers", "vti1", "--h", "1/4",

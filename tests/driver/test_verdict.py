@@ -28,6 +28,7 @@ wall: {stiffness: 2100, planes: [[1, 0.2, 0, 1]]}
 h: 0.01
 t_end: 4
 """
+AWAY = "bodies: {x: [0, 0, 0], v: [1, 0, 0], mass: 1}\nh: 1.0e-4\nt_end: 0.01\n"
 FAST = """bodies: {table: fast.csv, mass: 1, diameter: 1}
 contact: {stiffness: 1}
 h: 0.01
@@ -170,6 +171,13 @@ def runs(base):
             f"{stepper} at h|Omega| = 10: a warning at the start, doubtful at the end")
     _, lines, found = verdict(base, f"{base}/spin.yaml", "--h", "0.1", "--stepper", "exact")
     check(found["verdict"] == b"good" and not any("warning" in line for line in lines), "and none at 1")
+    for x, said in ("1e12", True), ("1e8", False):
+        _, lines, found = verdict(base, f"{base}/away.yaml", "--set", f"bodies.x=[{x}, 0, 0]")
+        words = ("rounding takes up to 1.1 of their way in a step; move the origin nearer",
+                 "rounding takes up to 1.1 of their way in a step: move it nearer")
+        warnings = [line for line in lines if line.startswith("warning: ")]
+        check((found["verdict"] == b"doubtful") == said == (words[1] in lines[-1]) and [words[0] in line for line in warnings] == [True] * said,
+              f"2^-53 x/(h v) from x = {x}: {lines[-1]}")
     with open(f"{base}/rest.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {chain: {count: 3, spacing: 1}, mass: 1}\nbinder: {axial: 1}\nh: 1/16\nt_end: 1\n")
     result, lines, found = verdict(base, f"{base}/rest.yaml", "--record", "1")
@@ -223,7 +231,7 @@ with tempfile.TemporaryDirectory() as root:
     for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("slow.yaml", SLOW), ("spin.yaml", SPIN),
                        ("settle.yaml", SETTLE), ("ways.yaml", WAYS), ("turns.yaml", TURNS), ("press.yaml", PRESS), ("slide.yaml", SLIDE), ("creep.yaml", CREEP),
                        ("creep.csv", "x,y,z,vx,vy,vz\n0,0,0,0,0,0\n1.1,0,0,0,0,0\n"),
-                       ("bonds.csv", "i,j,length,nx,ny,nz,turn_x,turn_y,turn_z,turn_w\n1,0,1,1,0,0,0,0,0,1\n"),
+                       ("away.yaml", AWAY), ("bonds.csv", "i,j,length,nx,ny,nz,turn_x,turn_y,turn_z,turn_w\n1,0,1,1,0,0,0,0,0,1\n"),
                        ("fast.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n")):
         with open(f"{root}/{name}", "w", encoding="ascii") as out:
             out.write(text)

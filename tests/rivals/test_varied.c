@@ -279,7 +279,7 @@ TEST(too_fine)
     struct journey j;
     begin(&j, &scene, method_of("exact"), 1.0 / 16);
     assert_int_equal(travel_go(&j.travel, 1, &j.message), -1);
-    assert_non_null(strstr(j.message.text, "give a larger turning"));
+    assert_non_null(strstr(j.message.text, "t = 0: steps become shorter than 2^-26 h"));
     end(&j);
 }
 
@@ -290,7 +290,9 @@ TEST(too_long)
     struct journey j;
     begin(&j, &scene, method_of("exact"), 50.0);
     assert_int_equal(travel_go(&j.travel, 100, &j.message), -1);
-    assert_non_null(strstr(j.message.text, "take a smaller h"));
+    assert_non_null(strstr(j.message.text, "exact-integrating at h = 50"));
+    assert_non_null(
+        strstr(j.message.text, "turn so much more slowly that no next one can be chosen; take a smaller h"));
     end(&j);
 }
 
