@@ -6,6 +6,22 @@
 
 #include "number.h"
 
+void study_csv_text(const char *text, FILE *file)
+{
+    fputc(',', file);
+    if (strpbrk(text, ",\"\n") == NULL) {
+        fputs(text, file);
+        return;
+    }
+    fputc('"', file);
+    for (; *text != '\0'; ++text) {
+        if (*text == '"')
+            fputc('"', file);
+        fputc(*text, file);
+    }
+    fputc('"', file);
+}
+
 /** ",good,0.001,..." */
 static void write_judgement(const struct judgement *judgement, FILE *file)
 {
@@ -46,10 +62,11 @@ void study_csv_write(const void *what, FILE *file)
 {
     const struct study *study = what;
     study_csv_header(file);
-    fputc('\n', file);
+    fputs(",failure\n", file);
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct outcome *o = &study->outcomes[r];
         study_csv_row(study->plan->scene->name, &study->trials[r], o->force_evals, o->error, &o->judgement, file);
+        study_csv_text(o->failed ? o->message.text : "", file);
         fputc('\n', file);
     }
 }

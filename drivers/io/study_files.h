@@ -23,9 +23,9 @@ int study_files_write(const struct study *study, const char *folder, struct mess
 
 /** study.h5. Root attributes: scene, t_end, energy0, norm_squared (||q||^2_H1 of the exact solution), the two errors
  *  of the reference, vti_version. /runs: a dataset per column of study.csv. /orders: a dataset per column, a row per
- *  stepper and measure. /series/NNNNNN: for run NNNNNN t, energy_error (E_h - E_0) and every invariant less its
- *  initial value. The bytes depend on the results only. Writes the file at path. Returns 0, or -1 with one line in
- *  *message. */
+ *  stepper and measure. /series/NNNNNN: for run NNNNNN, if it did not fail, t, energy_error (E_h - E_0) and every
+ *  invariant less its initial value. The bytes depend on the results only. Writes the file at path. Returns 0, or -1
+ *  with one line in *message. */
 int study_hdf5_write(const struct study *study, const char *path, struct message *message);
 /** study.csv of a struct study: one row per run in task order, 17 digits; nothing in it depends on clocks or ranks. */
 folder_writer study_csv_write;
@@ -37,6 +37,8 @@ folder_writer timing_csv_write;
 void study_csv_header(FILE *file);
 void study_csv_row(const char *scene, const struct trial *trial, int64_t force_evals, const double error[],
                    const struct judgement *judgement, FILE *file);
+/** ",text", in quotes where commas or quotes are in it. */
+void study_csv_text(const char *text, FILE *file);
 void timing_csv_header(FILE *file);
 void timing_csv_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file);
 

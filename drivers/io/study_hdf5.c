@@ -30,13 +30,23 @@ static void write_column(struct hdf5_sink *s, const struct hdf5_column *column, 
     free(values);
 }
 
+/** Of texts in a dataset: NAME, or more where one is longer. */
+static size_t room_of(const char *const *texts, int64_t n)
+{
+    size_t room = NAME;
+    for (int64_t r = 0; r < n; ++r)
+        room = strlen(texts[r]) < room ? room : strlen(texts[r]) + 1;
+    return room;
+}
+
 /** Dataset of n texts. */
 static void write_texts(struct hdf5_sink *s, const char *name, const char *const *texts, int64_t n)
 {
-    char(*column)[NAME] = calloc((size_t)n + 1, sizeof *column);
-    const hid_t type = hdf5_text_type(NAME);
+    const size_t room = room_of(texts, n);
+    char *column = calloc((size_t)n + 1, room);
+    const hid_t type = hdf5_text_type(room);
     for (int64_t r = 0; column != NULL && r < n; ++r)
-        strncpy(column[r], texts[r], NAME - 1);
+        memcpy(column + (size_t)r * room, texts[r], strlen(texts[r]));
     s->failed |= column == NULL;
     dataset(s, name, type, n, column);
     H5Tclose(type);
@@ -63,24 +73,27 @@ static void write_runs(struct hdf5_sink *file, const struct study *study)
                                                   {"steps", offsetof(struct trial, steps), 1, 0}};
     static const struct hdf5_column of_outcome[] = {{"force_evals", offsetof(struct outcome, force_evals), 1, 0}};
     struct hdf5_sink s = hdf5_group(file, "runs");
-    const char **texts = calloc((size_t)(2 * study->runs), sizeof *texts);
+    const int64_t runs = study->runs;
+    const char **texts = calloc((size_t)(3 * runs), sizeof *texts);
     s.failed |= texts == NULL;
-    for (int64_t r = 0; texts != NULL && r < study->runs; ++r) {
+    for (int64_t r = 0; texts != NULL && r < runs; ++r) {
         texts[r] = study->plan->scene->name;
-        texts[study->runs + r] = study->trials[r].stepper->name;
+        texts[runs + r] = study->trials[r].stepper->name;
+        texts[2 * runs + r] = study->outcomes[r].failed ? study->outcomes[r].message.text : "";
     }
     if (texts != NULL) {
-        write_texts(&s, "scene", texts, study->runs);
-        write_texts(&s, "stepper", texts + study->runs, study->runs);
+        write_texts(&s, "scene", texts, runs);
+        write_texts(&s, "stepper", texts + runs, runs);
+        write_texts(&s, "failure", texts + 2 * runs, runs);
     }
     for (size_t k = 0; k < COUNT(of_trial); ++k)
-        write_column(&s, &of_trial[k], study->trials, sizeof *study->trials, study->runs);
+        write_column(&s, &of_trial[k], study->trials, sizeof *study->trials, runs);
     for (size_t k = 0; k < COUNT(of_outcome); ++k)
-        write_column(&s, &of_outcome[k], study->outcomes, sizeof *study->outcomes, study->runs);
+        write_column(&s, &of_outcome[k], study->outcomes, sizeof *study->outcomes, runs);
     for (int m = 0; m < OUTCOME_ERRORS; ++m) {
         const struct hdf5_column column = {outcome_errors[m],
                                            offsetof(struct outcome, error) + (size_t)m * sizeof(double), 0, 0};
-        write_column(&s, &column, study->outcomes, sizeof *study->outcomes, study->runs);
+        write_column(&s, &column, study->outcomes, sizeof *study->outcomes, runs);
     }
     write_verdicts(&s, study);
     free(texts);
@@ -130,6 +143,8 @@ static void write_series(struct hdf5_sink *file, const struct study *study)
     const int64_t n = model_invariants(&study->model, invariants);
     for (int64_t r = 0; r < study->runs; ++r) {
         char name[NAME];
+        if (study->outcomes[r].failed)
+            continue;
         snprintf(name, sizeof name, "%06lld", (long long)r);
         struct hdf5_sink s = hdf5_group(&all, name);
         hdf5_text(&s, "stepper", study->trials[r].stepper->name);

@@ -7,23 +7,6 @@
 
 /* ---- csv --------------------------------------------------------------------------------------------------------- */
 
-/** ",text", in quotes where commas or quotes are in it. */
-static void write_text(const char *text, FILE *file)
-{
-    fputc(',', file);
-    if (strpbrk(text, ",\"\n") == NULL) {
-        fputs(text, file);
-        return;
-    }
-    fputc('"', file);
-    for (; *text != '\0'; ++text) {
-        if (*text == '"')
-            fputc('"', file);
-        fputc(*text, file);
-    }
-    fputc('"', file);
-}
-
 struct csv {
     const struct survey_plan *plan;
     FILE *runs, *times;
@@ -34,7 +17,7 @@ static void write_values(const struct csv *csv, int64_t p, FILE *file)
 {
     char value[SWEEP_VALUE];
     for (int k = 0; k < csv->plan->sweep->count; ++k)
-        write_text(survey_value(csv->plan, p, k, value, sizeof value), file);
+        study_csv_text(survey_value(csv->plan, p, k, value, sizeof value), file);
 }
 
 static int write_point(void *self, int64_t p, int rank, const struct survey_point *point)
@@ -49,7 +32,7 @@ static int write_point(void *self, int64_t p, int rank, const struct survey_poin
                                     run->t_end};
         study_csv_row(scene, &trial, run->force_evals, run->error, &run->judgement, csv->runs);
         write_values(csv, p, csv->runs);
-        write_text(run->reason, csv->runs);
+        study_csv_text(run->reason, csv->runs);
         fputc('\n', csv->runs);
         timing_csv_row(scene, &trial, run->seconds, rank, csv->times);
         write_values(csv, p, csv->times);

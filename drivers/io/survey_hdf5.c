@@ -6,7 +6,8 @@
  * errors. /runs [runs]: point, stepper, h, and what study.csv has; failed = 1: errors are NaN. /failures [failed
  * runs]: run and the reason. /orders [points x steppers x measures]: point, stepper, measure, and the fit. /ensemble
  * [groups x steppers x steps]: over the values of the first key at each value of the others and in each scene; point
- * is the first of the group, runs how many went well; mean and spread (standard deviation) of each error.
+ * is the first of the group, runs how many did not fail, infinite how many of these have an error that is not
+ * finite, and leave an infinite mean; mean and spread (standard deviation) of each error.
  * /ensemble_orders [groups x steppers x measures]: the same of fitted orders. */
 #include "study_files.h"
 
@@ -45,7 +46,7 @@ struct order_row {
 struct mean_row {
     int64_t point, stepper;
     double h;
-    int64_t runs, failed;
+    int64_t runs, failed, infinite;
     double value[2 * OUTCOME_ERRORS]; /* mean and spread of each error */
 };
 
@@ -125,6 +126,7 @@ static void mean_columns(struct columns_of *all)
     REAL(mean_row, h);
     WHOLE(mean_row, runs);
     WHOLE(mean_row, failed);
+    WHOLE(mean_row, infinite);
     *all = c;
     for (int m = 0; m < 2 * OUTCOME_ERRORS; ++m) {
         snprintf(all->name[m], NAME, "%s_%s", m % 2 == 0 ? "mean" : "spread", outcome_errors[m / 2]);
@@ -188,8 +190,8 @@ static void write_group(struct writer *w, const struct plan *plan)
     const struct survey_group *g = &w->group;
     for (int64_t r = 0; r < plan->steppers_count * plan->h_count; ++r) {
         const struct ensemble *e = g->error[r];
-        struct mean_row row = {g->first,   r / plan->h_count, plan->h[r % plan->h_count],
-                               e[0].count, g->failed[r],      {0.0}};
+        struct mean_row row = {
+            g->first, r / plan->h_count, plan->h[r % plan->h_count], g->runs[r], g->failed[r], g->infinite[r], {0.0}};
         for (int m = 0; m < OUTCOME_ERRORS; ++m) {
             row.value[2 * m] = ensemble_mean(&e[m]);
             row.value[2 * m + 1] = ensemble_spread(&e[m]);

@@ -33,7 +33,7 @@ def draw(study):
     steppers = study.steppers()
     looks = style.looks(steppers)
     legend_height = LEGEND_LINE * (len(steppers) + 1.3)
-    notes = [note for panel in PANELS for note in _left_out(study, panel)] + list(_lost(study, steppers))
+    notes = [*_failed(study), *(note for panel in PANELS for note in _left_out(study, panel)), *_lost(study, steppers)]
 
     figure = style.new_figure(4.6 + legend_height + 0.18 * (len(notes) + 1))
     figure.suptitle(f"{words.plain(study.scene)}: error against the time step, "
@@ -87,10 +87,17 @@ def _points(study, stepper, measure):
     return h, error, np.isfinite(error) & (error > 0)
 
 
+def _failed(study):
+    mine = study.runs["stepper"][study.runs["failure"] != ""]
+    if len(mine):
+        yield f"{words.counted(len(mine), 'run')} failed ({words.listing(map(words.stepper_name, dict.fromkeys(mine)))})"
+
+
 def _left_out(study, panel):
     zero, unusable = {}, {}
     for stepper in study.steppers():
         _, error, _ = _points(study, stepper, panel.measure)
+        error = error[study.runs["failure"][study.runs["stepper"] == stepper] == ""]
         for found, where in ((np.sum(error == 0), zero), (np.sum(~np.isfinite(error) | (error < 0)), unusable)):
             if found:
                 where[stepper] = int(found)

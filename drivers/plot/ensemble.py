@@ -56,11 +56,14 @@ def _left_out(sweep, group):
     failed = int(group.columns["failed"].sum())
     if failed:
         yield f"{_name(group)}: {words.counted(failed, 'run')} failed and not in the means"
+    infinite = int(group.columns["infinite"].sum())
+    if infinite:
+        yield f"{_name(group)}: {words.counted(infinite, 'run')} with infinite errors: these have no mean"
     for panel in PANELS:
         mean = group.columns[f"mean_{panel.measure}"]
         lost = int(np.sum(~(np.isfinite(mean) & (mean > 0))))
         if lost:
-            yield f"{_name(group)}: {panel.name}: {words.counted(lost, 'mean')} not drawn, being 0 or of no run"
+            yield f"{_name(group)}: {panel.name}: {words.counted(lost, 'mean')} not drawn, being 0, infinite or of no run"
 
 
 def _draw_panel(axes, group, measure, looks):

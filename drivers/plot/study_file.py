@@ -2,10 +2,10 @@
 """Reading study.h5, and refusing it in one sentence where it is not what vti-study writes.
 
     attributes of the file   scene, t_end, energy0, norm_squared, vti_version, and reference_uncertainty where it is known
-    /runs/<column>           one row per run
+    /runs/<column>           one row per run; failure, where it is there, is "" of those that did not fail
     /orders/<column>         one row per stepper and measure: log2(error) = log2_constant + order log2(h)
     /series/<row of the run, six digits>
-                             attributes stepper and h; datasets t, energy_error and one per invariant of the scene,
+                             none of runs that failed; attributes stepper and h; datasets t, energy_error and one per invariant of the scene,
                              each of these with an attribute `label` for the axis
 """
 from dataclasses import dataclass, field
@@ -80,6 +80,8 @@ def read_study(path):
     with opened(path) as file:
         reader = Reader(path, file, STUDY)
         runs = _table(reader, "/runs", RUN_TEXTS, RUN_NUMBERS)
+        runs["failure"] = reader.texts("/runs/failure") if "failure" in file["runs"] else np.full(len(runs["h"]), "")
+        reader.same_lengths(runs, "/runs")
         if len(runs["h"]) == 0:
             raise Trouble(path, "holds no runs", "give the study at least one stepper and one h")
         if not np.all(np.isfinite(runs["h"]) & (runs["h"] > 0)):

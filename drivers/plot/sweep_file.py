@@ -15,7 +15,7 @@ class Group:
     scene: str
     others: dict            # key -> value, number or text
     steppers: np.ndarray    # names, a row for each stepper and h
-    columns: dict           # h, runs, failed, mean_e_error, spread_e_error, ...: values, in the same rows
+    columns: dict           # h, runs, failed, infinite, mean_e_error, spread_e_error, ...: values, in the same rows
     orders: dict            # (stepper, measure) -> (mean, spread)
 
 
@@ -49,7 +49,7 @@ def read_sweep(path):
         values = {each: _values(reader, each) for each in keys}
         scenes, steppers, measures = (reader.texts(f"/{name}/name") for name in ("scenes", "steppers", "measures"))
         points = _columns(reader, "/points", ("scene", *keys))
-        means = _columns(reader, "/ensemble", ("point", "stepper", "h", "runs", "failed",
+        means = _columns(reader, "/ensemble", ("point", "stepper", "h", "runs", "failed", "infinite",
                                                *(f"{what}_{measure}" for measure in MEASURES for what in ("mean", "spread"))))
         orders = _columns(reader, "/ensemble_orders", ("point", "stepper", "measure", "mean_order", "spread_order"))
         groups = []

@@ -28,7 +28,6 @@ struct study_kind {
     int (*run)(const void *plan, const struct study_watch *watch, const struct store *store, void *result,
                struct message *message);
     int (*write)(void *result, const char *folder, struct message *message); /* and says it */
-    int (*refused)(const void *result); /* whether what has failed would fail again; NULL: no */
 };
 
 enum { NOT_BEGUN = WATCH_ASKED - 1 };
@@ -49,8 +48,7 @@ static int go_through(const struct study_kind *kind, const struct study_work *wo
     if (failed == 0 && rank == 0 &&
         (study_tasks_check(place, &problem) != 0 || kind->write(result, place->folder, &problem) != 0))
         failed = study_tasks_not_written(&problem, &message);
-    const int done = failed == 0 || (kind->refused != NULL && kind->refused(result));
-    return study_tasks_end(failed, done, rank, &message);
+    return study_tasks_end(failed, rank, &message);
 }
 
 /* ---- convergence ------------------------------------------------------------------------------------------------ */
@@ -131,15 +129,9 @@ static int write_study(void *study, const char *folder, struct message *message)
     return study_files_write(study, folder, message);
 }
 
-/** A run that is refused would be refused again. */
-static int is_refused(const void *study)
-{
-    return ((const struct study *)study)->refused;
-}
-
 int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
-    static const struct study_kind kind = {say_study_plan, run_study, write_study, is_refused};
+    static const struct study_kind kind = {say_study_plan, run_study, write_study};
     struct study study;
     const struct study_work work = {study_journal,          "runs",        plan->steppers_count * plan->h_count,
                                     sizeof(struct outcome), study_outputs, STUDY_FILES,
@@ -213,7 +205,7 @@ static int write_survey(void *counted, const char *folder, struct message *messa
 
 int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank)
 {
-    static const struct study_kind kind = {say_survey_plan, run_survey, write_survey, NULL};
+    static const struct study_kind kind = {say_survey_plan, run_survey, write_survey};
     struct counted_survey counted = {.counts = {{0}, 0, 0}};
     const struct study_work work = {study_journal, "points",    survey_points(plan), (size_t)survey_bytes(plan),
                                     study_outputs, STUDY_FILES, survey_identify,     plan};
@@ -259,7 +251,7 @@ static int write_cost(void *cost, const char *folder, struct message *message)
 
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
 {
-    static const struct study_kind kind = {say_cost_plan, run_cost, write_cost, NULL};
+    static const struct study_kind kind = {say_cost_plan, run_cost, write_cost};
     static struct cost cost;
     const struct study_work work = {"cost.journal",
                                     "ladders",

@@ -7,6 +7,8 @@
 #include "number.h"
 #include "survey.h"
 
+static const double megabyte = 1e6; /* bytes; what --memory counts in */
+
 /** How it runs one of its scenes. */
 static void identify_scene(FILE *text, const char *before, const struct scene *scene, const double *h, int64_t h_count,
                            double t_end)
@@ -24,7 +26,7 @@ static void identify_steppers(FILE *text, const vti_stepper *const *steppers, in
     fputs("--steppers:", text);
     for (int64_t k = 0; k < count; ++k)
         fprintf(text, " %s", steppers[k]->name);
-    fprintf(text, "\n--memory: %s\n", NUMBER(memory));
+    fprintf(text, "\n--memory: %s\n", NUMBER(memory / megabyte));
 }
 
 void study_identify(FILE *text, const void *self)

@@ -50,21 +50,26 @@ void study_print_order(double order, double interval, FILE *file)
     fprintf(file, "  %18s", text);
 }
 
-/** How many runs can be believed, and what is said against each of the others. */
+/** How many runs can be believed, and what is said against the others; why runs failed stands in their rows. */
 static void write_verdicts(const struct study *study, FILE *file)
 {
-    int64_t count[VERDICT_BAD + 1] = {0};
-    for (int64_t r = 0; r < study->runs; ++r)
-        ++count[study->outcomes[r].judgement.verdict];
+    int64_t count[VERDICT_BAD + 1] = {0}, failed = 0;
     fputc('\n', file);
-    for (int64_t r = 0; r < study->runs; ++r)
-        if (study->outcomes[r].judgement.verdict != VERDICT_GOOD) {
-            fprintf(file, "%s at h =", study->trials[r].stepper->name);
-            study_print_h(study->trials[r].h, file);
-            fprintf(file, ": %s\n", study->outcomes[r].verdict.text);
-        }
-    fprintf(file, "verdict: of %lld runs %lld are good, %lld doubtful, %lld bad\n", (long long)study->runs,
+    for (int64_t r = 0; r < study->runs; ++r) {
+        const struct outcome *o = &study->outcomes[r];
+        failed += o->failed;
+        count[o->judgement.verdict] += !o->failed;
+        if (o->failed || o->judgement.verdict == VERDICT_GOOD)
+            continue;
+        fprintf(file, "%s at h =", study->trials[r].stepper->name);
+        study_print_h(study->trials[r].h, file);
+        fprintf(file, ": %s\n", o->verdict.text);
+    }
+    fprintf(file, "verdict: of %lld runs %lld are good, %lld doubtful, %lld bad", (long long)study->runs,
             (long long)count[VERDICT_GOOD], (long long)count[VERDICT_DOUBTFUL], (long long)count[VERDICT_BAD]);
+    if (failed > 0)
+        fprintf(file, ", and %lld failed", (long long)failed);
+    fputc('\n', file);
 }
 
 /** What an order lacks. By a tolerance errors follow that, and the steps that are compared say nothing of them. */
@@ -96,9 +101,13 @@ void study_table_write(const struct study *study, FILE *file)
         const struct outcome *o = &study->outcomes[r];
         fprintf(file, "%-*s ", width, study->trials[r].stepper->name);
         study_print_h(study->trials[r].h, file);
-        fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps,
-                number_plain(o->error[E_ERROR]), number_plain(o->error[Q_ERROR]), number_plain(o->error[H1_ERROR]),
-                number_plain(o->error[ATTITUDE_ERROR]), number_plain(o->error[MOMENTUM_ERROR]));
+        fprintf(file, " %9lld  ", (long long)o->steps);
+        if (o->failed)
+            fprintf(file, "failed: %s\n", o->message.text);
+        else
+            fprintf(file, "%10.3e %10.3e %10.3e %10.3e %10.2e\n", number_plain(o->error[E_ERROR]),
+                    number_plain(o->error[Q_ERROR]), number_plain(o->error[H1_ERROR]),
+                    number_plain(o->error[ATTITUDE_ERROR]), number_plain(o->error[MOMENTUM_ERROR]));
     }
     write_verdicts(study, file);
     fprintf(file, "\n%-*s  %18s  %18s  %18s  %18s\n", width, "fitted order", "E-error", "q-error", "H1-error",

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
 #include "hdf5_sink.h"
@@ -170,6 +171,8 @@ static int keep_results(int failed, struct message *message)
     struct message problem;
     if (tasks_commit(&tasks, &problem) != 0) {
         const struct message cause = *message;
+        if (strcmp(cause.text, problem.text) == 0)
+            return -1;
         return message_set(message, "%.500s%s%.500s", cause.text, cause.text[0] != '\0' ? "; and " : "", problem.text);
     }
     if (failed == WATCH_ASKED)
@@ -177,12 +180,12 @@ static int keep_results(int failed, struct message *message)
     return 0;
 }
 
-int study_tasks_end(int failed, int done, int rank, struct message *message)
+int study_tasks_end(int failed, int rank, struct message *message)
 {
-    int lost = rank == 0 && (failed == WATCH_ASKED || !done) && keep_results(failed, message) != 0;
+    int lost = rank == 0 && failed != 0 && keep_results(failed, message) != 0;
     MPI_Bcast(&lost, 1, MPI_INT, 0, MPI_COMM_WORLD);
     if (rank == 0)
-        tasks_end(&tasks, done);
+        tasks_end(&tasks, failed == 0);
     const int agreed = study_agree(lost ? -1 : failed, rank, message);
     return failed == WATCH_ASKED && !lost ? failed : agreed;
 }

@@ -33,8 +33,8 @@ struct store study_tasks_store(void);
 int study_tasks_check(const struct study_place *place, struct message *message);
 /** Says in *message what is wrong with the files, and where the results are. Returns -1. */
 int study_tasks_not_written(const struct message *problem, struct message *message);
-/** The end of a study that returned failed; done: nothing of it needs to be kept. Collective. Returns on all ranks 0,
- *  or when one line has been said WATCH_ASKED or -1. */
-int study_tasks_end(int failed, int done, int rank, struct message *message);
+/** The end of a study that returned failed: 0, and nothing of it needs to be kept, or what has come in is. Collective.
+ *  Returns on all ranks 0, or when one line has been said WATCH_ASKED or -1. */
+int study_tasks_end(int failed, int rank, struct message *message);
 
 #endif

@@ -27,10 +27,10 @@ static void say_group(const struct printer *p)
     fputs(": mean +- spread\n", p->file);
 }
 
-/** "1.234e-05 +- 1.0e-06", without the spread of fewer than two. */
+/** "1.234e-05 +- 1.0e-06", without the spread where there is none. */
 static void say_mean(const struct ensemble *e, FILE *file)
 {
-    if (e->count > 1)
+    if (e->count > 1 && e->infinite == 0)
         fprintf(file, "  %9.3e +-%7.1e", ensemble_mean(e), ensemble_spread(e));
     else
         fprintf(file, "  %9.3e %9s", ensemble_mean(e), "");
@@ -43,11 +43,13 @@ static void say_errors(const struct printer *p, const struct plan *plan)
     for (int64_t r = 0; r < plan->steppers_count * plan->h_count; ++r) {
         fprintf(p->file, "%-*s ", p->width, plan->steppers[r / plan->h_count]->name);
         study_print_h(plan->h[r % plan->h_count], p->file);
-        fprintf(p->file, " %7lld ", (long long)p->group.error[r][0].count);
+        fprintf(p->file, " %7lld ", (long long)p->group.runs[r]);
         for (int m = 0; m < STUDY_MEASURES; ++m)
             say_mean(&p->group.error[r][m], p->file);
         if (p->group.failed[r] > 0)
             fprintf(p->file, "  %lld failed", (long long)p->group.failed[r]);
+        if (p->group.infinite[r] > 0)
+            fprintf(p->file, "  %lld with infinite errors", (long long)p->group.infinite[r]);
         fputc('\n', p->file);
     }
 }

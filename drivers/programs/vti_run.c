@@ -26,8 +26,8 @@ static const struct option_row rows[] = {
      "step (default: the scene's); numbers may be written 0.01, 1/64 or 2^-6"},
     {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
      "choose steps whose estimated error in velocity and angular velocity is at most TOL; for srkn11, srkn14 and "
-     "srkn6. H is then the unit of --record and --frames, and the shortest step is 2^-26 H. Each row costs one more "
-     "step, so the default is about 100 rows"},
+     "srkn6. H is then the unit of --record and --frames and the first step that is tried, and the shortest step is "
+     "2^-26 H. Each row costs one more step, so the default is about 100 rows"},
     {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
      "integrating: steps that follow how fast bodies turn, for reversible steppers such as srkn6, whose energy keeps "
      "without drift; naive: the same without that, to compare with; H is the step at rest and the unit of --record, "

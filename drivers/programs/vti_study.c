@@ -55,7 +55,7 @@ static const struct option_row rows[] = {
      "end time (default: the scene's). A run takes the whole steps that fit into it"},
     {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
      "choose steps whose estimated error in velocity and angular velocity is at most TOL; for srkn11, srkn14 and "
-     "srkn6. The steps of --h are then only where runs are compared"},
+     "srkn6. The steps of --h are then only where runs are compared, and the first step that is tried"},
     {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
      "integrating or naive: steps of up to h that follow how fast bodies turn, as in vti-run"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
@@ -90,8 +90,8 @@ static const struct option_row rows[] = {
         "message on; what is done is kept there too.\n"
         "\n"
         "study.csv has the verdict on every run: good, doubtful or bad, and the numbers behind it. Where\n"
-        "one is bad, all files are written and the code is 3. A run that fails ends a study; of a sweep it\n"
-        "is a row with the reason, and the code is 3 too."),
+        "one is bad, all files are written and the code is 3. A run that fails is a row with the reason,\n"
+        "and the code is 3 too."),
     {0}};
 
 static const struct options options = {

@@ -115,8 +115,8 @@ static const struct scene_field tail[] = {
      rotors},
     {"h", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(h), "time step", "Time.", NULL},
     {"tolerance", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(tolerance), "estimated error of a step",
-     "Velocity and angular velocity; the stepper, srkn11, srkn14 or srkn6, chooses its steps by it, and h is only "
-     "between rows, and 2^-26 h the shortest step.",
+     "Velocity and angular velocity; the stepper, srkn11, srkn14 or srkn6, chooses its steps by it; h is then what is "
+     "between rows and the first step that is tried, and 2^-26 h the shortest step.",
      NULL},
     {"control", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(control), "steps that follow how fast bodies turn",
      "A step is about h/sqrt(1 + |Omega|^2/turning^2), |Omega|^2 the mean over the bodies: integrating leaves no drift "

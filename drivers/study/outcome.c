@@ -12,6 +12,8 @@ const char *const outcome_errors[OUTCOME_ERRORS] = {[E_ERROR] = "e_error",
                                                     [ATTITUDE_ERROR] = "attitude_error",
                                                     [MOMENTUM_ERROR] = "momentum_error"};
 
+const struct judgement outcome_unjudged = {VERDICT_BAD, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0};
+
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /** Everything that is summed up along a run. */
@@ -70,14 +72,14 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
     if (norms_take(&m->norms, step, bodies, &m->outcome->message) != 0)
         return 1;
 
-    const int sampled = step == m->next_sample;
+    const int sampled = step == m->next_sample || step == m->outcome->steps;
     if (sampled) {
         m->next_sample += m->sample_every;
         sample(m, t, bodies);
     }
     if (travel_tally(m->travel, &tally))
         verdict_longest(&m->verdict, tally.longest);
-    if (sampled || step == m->outcome->steps) {
+    if (sampled) {
         double row[COLUMNS];
         verdict_row(&m->verdict, t, bodies, row);
     }
@@ -129,6 +131,15 @@ static int poll_on_the_way(void *self, double share)
     return p->poll != NULL && p->poll(p->self, p->step);
 }
 
+static void fail(struct outcome *outcome)
+{
+    outcome->failed = 1;
+    outcome->samples = 0;
+    outcome->judgement = outcome_unjudged;
+    for (int m = 0; m < OUTCOME_ERRORS; ++m)
+        outcome->error[m] = NAN;
+}
+
 void outcome_of(const struct scene *scene, const struct trial *trial, int64_t compare_every,
                 struct reference *reference, int (*poll)(void *self, int64_t step), void *poll_self,
                 struct outcome *outcome)
@@ -140,24 +151,26 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
 
     memset(outcome, 0, sizeof *outcome);
     outcome->steps = trial->steps;
-    outcome->failed = trial_begin(&run, scene, trial, &outcome->message) != 0;
-    if (outcome->failed)
+    if (trial_begin(&run, scene, trial, &outcome->message) != 0) {
+        fail(outcome);
         return;
+    }
     struct trial taken = *trial; /* where the scene has a tolerance, the stepper that keeps it */
     taken.stepper = run.travel.stepper;
-    outcome->failed = measures_begin(&measures, &run.model, reference, &taken, compare_every, outcome) != 0;
+    int failed = measures_begin(&measures, &run.model, reference, &taken, compare_every, outcome) != 0;
     measures.travel = &run.travel;
     measures.watch = (struct watch){poll_on_the_way, &poller};
     const struct observer observers[] = {
         {measure, &measures, 1, 0, measure_looks, NULL},
         {poll_see, &poller, travel_pause(&run.travel, POLL_BODIES), 0, never_looks, NULL}};
-    if (!outcome->failed)
-        outcome->failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
-    if (!outcome->failed)
+    if (!failed)
+        failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
+    if (failed)
+        fail(outcome);
+    else
         measures_end(&measures);
     outcome->seconds = run.seconds;
-    outcome->force_evals =
-        taken.stepper->evals > 0 ? trial->steps * taken.stepper->evals : travel_force_evals(&run.travel);
+    outcome->force_evals = failed ? 0 : travel_force_evals(&run.travel);
     verdict_destroy(&measures.verdict);
     norms_destroy(&measures.norms);
     trial_end(&run);

@@ -23,7 +23,7 @@ enum {
 extern const char *const outcome_errors[OUTCOME_ERRORS];
 
 struct outcome {
-    int64_t failed; /* 0, or 1 and the reason in message */
+    int64_t failed; /* 0, or 1 and the reason in message: errors are NaN, the verdict is bad, there is no series */
     int64_t steps, force_evals;
     double error[OUTCOME_ERRORS];
     double seconds;             /* of the run with its measurements: not a result */
@@ -33,6 +33,9 @@ struct outcome {
     double series[OUTCOME_SAMPLES][OUTCOME_COLUMNS]; /* t, E_h - E_0, invariants less their initial values */
     struct message message;
 };
+
+/** On a run that failed: bad, and nothing is known of it. */
+extern const struct judgement outcome_unjudged;
 
 /** Runs the trial, compared with the reference every compare_every steps: those from one state that it knows to the
  *  next. poll (may be NULL) is called with poll_self and the steps taken so far every few milliseconds, and while a

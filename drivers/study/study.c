@@ -118,15 +118,10 @@ static void show(struct work *w, int64_t extra)
 static int task_done(void *self, int64_t task, int rank, const void *result)
 {
     struct work *w = self;
-    const struct outcome *outcome = memcpy(&w->study->outcomes[task], result, sizeof *outcome);
+    memcpy(&w->study->outcomes[task], result, sizeof *w->study->outcomes);
     w->study->ranks[task] = rank;
     w->steps_done += w->study->trials[task].steps;
     show(w, 0);
-    if (outcome->failed) {
-        w->study->refused = 1;
-        *w->message = outcome->message;
-        return 1;
-    }
     return w->store != NULL ? w->store->keep(w->store->self, task, rank, result, w->message) : 0;
 }
 
@@ -263,6 +258,33 @@ static int prepare(const struct plan *plan, int rank, struct study *study, struc
     return make_trials(study, message);
 }
 
+/** Whether each stepper can take the scene, which a run would say only after the reference. In a model of its own, as
+ *  rivals may prepare something in it. */
+static int check_steppers(const struct plan *plan, struct message *message)
+{
+    struct model model;
+    double longest = 0.0;
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        longest = fmax(longest, plan->h[k]);
+    if (model_create(plan->scene, &model, message) != 0)
+        return -1;
+    int failed = 0;
+    for (int64_t s = 0; failed == 0 && s < plan->steppers_count; ++s) {
+        struct travel travel;
+        failed = travel_create(&travel, plan->steppers[s], &model, longest, message);
+        if (failed == 0)
+            travel_destroy(&travel);
+    }
+    model_destroy(&model);
+    return failed;
+}
+
+/** With a look at the steppers: what one of them refuses is no failed run then, but refuses the study. */
+static int prepare_checked(const struct plan *plan, int rank, struct study *study, struct message *message)
+{
+    return prepare(plan, rank, study, message) != 0 ? -1 : check_steppers(plan, message);
+}
+
 static double finest(const struct plan *plan)
 {
     double least = INFINITY;
@@ -286,7 +308,7 @@ int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *
     int rank;
     struct reference reference;
     MPI_Comm_rank(comm, &rank);
-    int failed = prepare(plan, rank, study, message);
+    int failed = prepare_checked(plan, rank, study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
     if (failed == 0)
         failed = reference_create(&study->model, study->t_end, study->interval, finest(plan), plan->memory, comm, watch,
@@ -307,7 +329,7 @@ int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *
 int study_check(const struct plan *plan, struct message *message)
 {
     struct study study;
-    const int failed = prepare(plan, 1, &study, message);
+    const int failed = prepare_checked(plan, 1, &study, message);
     study_destroy(&study);
     return failed;
 }

@@ -51,20 +51,21 @@ struct study {
     double reference_energy_error, reference_uncertainty; /* the second relative, of the solution */
     double reference_rounding;                            /* the same where it is rounding that leaves it so, else 0 */
     double seconds;                                       /* for all runs, reference excluded */
-    int refused; /* a run has failed, and would again: nothing of this study is worth keeping */
 };
 
-/** Runs the plan on all ranks of comm. Collective. Returns 0, or -1 on all ranks with one line in *message on rank 0.
- *  Outcomes that the store holds are not computed again; the others come into it. store and watch may be NULL; a study
- *  that watch has asked to end returns WATCH_ASKED on all ranks, without a message. */
+/** Runs the plan on all ranks of comm; a run that fails is an outcome like others. Collective. Returns 0, or -1 on all
+ *  ranks with one line in *message on rank 0. Outcomes that the store holds are not computed again; the others come
+ *  into it. store and watch may be NULL; a study that watch has asked to end returns WATCH_ASKED on all ranks, and no
+ *  message. */
 int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
               struct study *study, struct message *message);
-/** The same runs with the same bits, one after the other by this rank for itself, as one of many such studies: a run
- *  that fails does not end it. poll is called often with poll_self; non-zero ends the study, whose results then mean
- *  nothing. Returns 0, or -1 with one line in *message, or WATCH_ASKED. study_destroy is due after any of them. */
+/** The same runs with the same bits, one after the other by this rank for itself, as one of many such studies. poll is
+ *  called often with poll_self; non-zero ends the study, whose results then mean nothing. Returns 0, or -1 with one
+ *  line in *message, or WATCH_ASKED. study_destroy is due after any of them. */
 int study_alone(const struct plan *plan, int (*poll)(void *self, int64_t work), void *poll_self, struct study *study,
                 struct message *message);
-/** Whether the plan's scene makes a model and its steps suit each other. Returns 0, or -1 with one line in *message. */
+/** Whether the plan's scene makes a model that its steppers can take, and its steps suit each other. Returns 0, or -1
+ *  with one line in *message. */
 int study_check(const struct plan *plan, struct message *message);
 
 void study_destroy(struct study *study);

@@ -9,19 +9,21 @@
 
 void ensemble_add(struct ensemble *e, double x)
 {
+    e->count += !isnan(x);
+    e->infinite += isinf(x) != 0;
     if (!isfinite(x))
         return;
     const double off = x - e->mean;
-    e->mean += off / (double)++e->count;
+    e->mean += off / (double)(e->count - e->infinite);
     e->squares += off * (x - e->mean);
 }
 
 double ensemble_mean(const struct ensemble *e)
 {
-    return e->count > 0 ? e->mean : NAN;
+    return e->infinite > 0 ? INFINITY : e->count > 0 ? e->mean : NAN;
 }
 
 double ensemble_spread(const struct ensemble *e)
 {
-    return e->count > 1 ? sqrt(e->squares / (double)(e->count - 1)) : NAN;
+    return e->count > 1 && e->infinite == 0 ? sqrt(e->squares / (double)(e->count - 1)) : NAN;
 }

@@ -67,19 +67,25 @@ int64_t survey_bytes(const struct survey_plan *plan)
 
 static void fail_run(struct survey_run *run, const char *reason)
 {
-    const struct judgement none = {VERDICT_BAD, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0};
     run->failed = 1;
-    run->judgement = none;
+    run->judgement = outcome_unjudged;
     snprintf(run->reason, sizeof run->reason, "%.*s", SURVEY_REASON - 1, reason);
     for (int m = 0; m < OUTCOME_ERRORS; ++m)
         run->error[m] = NAN;
 }
 
-static void fail_point(struct survey_point *point, const struct plan *plan, const char *reason)
+/** trials: what it would have run; NULL if that is not known, as it cannot be made. */
+static void fail_point(struct survey_point *point, const struct plan *plan, const struct trial *trials,
+                       const char *reason)
 {
     point->facts = (struct survey_facts){NAN, NAN, NAN, NAN};
-    for (int64_t r = 0; r < runs_of(plan); ++r)
+    for (int64_t r = 0; r < runs_of(plan); ++r) {
+        const int known = trials != NULL && trials[r].steps > 0;
+        point->run[r].steps = known ? trials[r].steps : 0;
+        point->run[r].t_end = known ? trials[r].t_end : NAN;
+        point->run[r].seconds = NAN;
         fail_run(&point->run[r], reason);
+    }
 }
 
 static void take_run(const struct study *study, int64_t r, struct survey_run *run)
@@ -114,7 +120,7 @@ static void run_point(const struct survey_plan *plan, int64_t p, queue_poll poll
     memset(point, 0, (size_t)survey_bytes(plan));
     const int failed = survey_read(plan, k, p % sweep_points(plan->sweep), &scene, &tables, &message);
     if (failed != 0) {
-        fail_point(point, &plan->each[k], message.text);
+        fail_point(point, &plan->each[k], NULL, message.text);
         point->ends_all = failed == SURVEY_CHANGED;
         return;
     }
@@ -122,7 +128,7 @@ static void run_point(const struct survey_plan *plan, int64_t p, queue_poll poll
     if (study_alone(&each, poll, poll_self, &study, &message) == 0)
         take_study(&study, point);
     else
-        fail_point(point, &each, message.text);
+        fail_point(point, &each, study.trials, message.text);
     study_destroy(&study);
     tables_destroy(&tables);
 }

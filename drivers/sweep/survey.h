@@ -122,7 +122,9 @@ struct order survey_order(const struct plan *plan, const struct survey_point *po
 /** Of one scene at one value of each axis but the first, the ensemble. */
 struct survey_group {
     int64_t number, first; /* from 0; its first point */
-    int64_t failed[STUDY_STEPPERS * LADDER_MOST];
+    /* of each run of a point: how many went to their ends, how many did not; of the first those with infinite errors */
+    int64_t runs[STUDY_STEPPERS * LADDER_MOST], failed[STUDY_STEPPERS * LADDER_MOST];
+    int64_t infinite[STUDY_STEPPERS * LADDER_MOST];
     struct ensemble error[STUDY_STEPPERS * LADDER_MOST][OUTCOME_ERRORS]; /* of each run of a point */
     struct ensemble order[STUDY_STEPPERS][STUDY_MEASURES];
 };

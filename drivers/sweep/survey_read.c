@@ -2,6 +2,7 @@
  * What a survey has found, point by point, and its means. */
 #include "survey.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,6 +38,20 @@ struct order survey_order(const struct plan *plan, const struct survey_point *po
     return study_order(plan, error, floor);
 }
 
+/** An error that is NaN of a run that did not fail is of one that blew up, as an infinite one is. */
+static void add_run(struct survey_group *group, int64_t r, const struct survey_run *run)
+{
+    int infinite = 0;
+    for (int m = 0; m < OUTCOME_ERRORS; ++m) {
+        const int blew_up = !run->failed && !isfinite(run->error[m]);
+        ensemble_add(&group->error[r][m], blew_up ? INFINITY : run->error[m]);
+        infinite |= blew_up;
+    }
+    group->runs[r] += !run->failed;
+    group->failed[r] += run->failed;
+    group->infinite[r] += infinite;
+}
+
 int survey_group_add(const struct survey_plan *plan, struct survey_group *group, int64_t p,
                      const struct survey_point *point)
 {
@@ -47,11 +62,8 @@ int survey_group_add(const struct survey_plan *plan, struct survey_group *group,
         group->number = p / size;
         group->first = p;
     }
-    for (int64_t r = 0; r < each->steppers_count * each->h_count; ++r) {
-        group->failed[r] += point->run[r].failed;
-        for (int m = 0; m < OUTCOME_ERRORS; ++m)
-            ensemble_add(&group->error[r][m], point->run[r].error[m]);
-    }
+    for (int64_t r = 0; r < each->steppers_count * each->h_count; ++r)
+        add_run(group, r, &point->run[r]);
     for (int64_t s = 0; s < each->steppers_count; ++s)
         for (int m = 0; m < STUDY_MEASURES; ++m)
             ensemble_add(&group->order[s][m], survey_order(each, point, s, m).order);

@@ -196,7 +196,7 @@ def write_sweep(path):
                 for m, measure in enumerate(measures):
                     mean = 0.1 * (1 + group + 3 * m) * h**order
                     told[group, s, h, measure] = mean, 0.25 * mean
-                rows.append((point, s, h, 3, 0, *(value for measure in measures for value in told[group, s, h, measure])))
+                rows.append((point, s, h, 3, 0, 0, *(value for measure in measures for value in told[group, s, h, measure])))
             orders += [(point, s, m, order + 0.5 * group + 0.25 * m, 0.1) for m in range(len(measures))]
     with h5py.File(path, "w") as file:
         file.attrs.update({"ensemble": "pendulum.weight", "vti_version": "0.1.0"})
@@ -205,7 +205,7 @@ def write_sweep(path):
             file[f"{name}/name"] = texts(names, False)
         for name, values in (("scene", 6 * [0]), ("pendulum.weight", 2 * [0, 1, 2]), ("stiffness", 3 * [0] + 3 * [1])):
             file[f"points/{name}"] = np.array(values)
-        columns = ("point", "stepper", "h", "runs", "failed", *(f"{what}_{measure}" for measure in measures for what in ("mean", "spread")))
+        columns = ("point", "stepper", "h", "runs", "failed", "infinite", *(f"{what}_{measure}" for measure in measures for what in ("mean", "spread")))
         for name, table, names in (("ensemble", rows, columns), ("ensemble_orders", orders, ("point", "stepper", "measure", "mean_order", "spread_order"))):
             for column, values in zip(names, zip(*table)):
                 file[f"{name}/{column}"] = np.array(values)
@@ -230,6 +230,11 @@ def test_ensemble(program, folder):
             assert np.allclose([bar[:, 1] for bar in bars.get_segments()], [(mean - spread, mean + spread) for _, mean, spread in expected]), (k, s)
         shown = [text.get_text() for text in legend.get_legend().get_texts()]
         assert shown == [f"VTI-{s + 1}: {order + 0.5 * group + 0.25 * (k % 3):.1f} ± 0.1" for s, order in enumerate((2, 1))], (k, shown)
+    with h5py.File(path, "a") as file:
+        file["ensemble/infinite"][1], file["ensemble/mean_e_error"][1] = 2, np.inf
+    _, notes = importlib.import_module("plot.ensemble").draw(importlib.import_module("plot.sweep_file").read_sweep(path))
+    assert [note.split(": ", 1)[1] for note in notes] == ["2 runs with infinite errors: these have no mean",
+                                                          "Energy error: 1 mean not drawn, being 0, infinite or of no run"], notes
 
 
 def test_lost(_program, folder):

@@ -55,7 +55,7 @@ def points(base):
         run(STUDY, "--no-plot", PENDULUM, *common, "--set", f"bodies.inertia={inertia}", "--set", f"pendulum.weight={weight}",
             "-o", f"{base}/one")
         mine, alone = body[15 * k:15 * (k + 1)], lines(f"{base}/one")[1:]
-        check(mine == [f"{line},{weight},{inertia}," for line in alone], f"weight {weight}, inertia {inertia}: the rows of its own study")
+        check(mine == [f"{line}{weight},{inertia}," for line in alone], f"weight {weight}, inertia {inertia}: the rows of its own study")
     with h5py.File(f"{base}/sweep1/study.h5") as file, h5py.File(f"{base}/one/study.h5") as one:
         last = slice(-3 * 4, None)
         check(numpy.array_equal(file["orders/order"][last], one["orders/order"], equal_nan=True), "... and their orders")
@@ -91,7 +91,7 @@ def scenes(base):
     result = study(2, PENDULUM, PILE, "--h", "1/1000,1/2000", "--t-end", "1/10", "--steppers", "vti2", folder=f"{base}/scenes")
     check([row["scene"] for row in rows(f"{base}/scenes")] == ["pendulum"] * 2 + ["pile"] * 2, f"two scenes {result.stderr}")
     study(1, PILE, "--h", "1/1000,1/2000", "--t-end", "1/10", "--steppers", "vti2", folder=f"{base}/pile")
-    check(lines(f"{base}/scenes")[3:] == [line + "," for line in lines(f"{base}/pile")[1:]], "... with the rows of their own studies")
+    check(lines(f"{base}/scenes")[3:] == lines(f"{base}/pile")[1:], "... with the rows of their own studies")
     study(1, SPIN, "--sweep", "bodies.omega=[0, 0, 1],[0, 1, 0]", "--sweep", "t_end=1,2", "--h", "1/8", "--steppers", "vti2",
           folder=f"{base}/texts")
     found = [(row["bodies.omega"], row["t_end"]) for row in rows(f"{base}/texts")]
@@ -128,9 +128,36 @@ def failures(base):
     check(all(not row["failure"] for row in rows(f"{base}/good")) and len(rows(f"{base}/good")) == 3, "values that suit")
     study(1, CHAIN, "--set", "bodies.inertia=0.1", "--sweep", "bodies.chain.spacing=1,1e-320,2", "--h", "1/64", "--t-end", "1/4", "--steppers", "vti2",
           folder=f"{base}/far")
+    far = [(row["t_end"], row["steps"], row["failure"] != "") for row in rows(f"{base}/far")]
+    check(far == [("0.25", "16", False), ("0.25", "16", True), ("0.25", "16", False)], f"... {far}")
+    study(1, CHAIN, "--sweep", "binder.axial=100,1e300", "--h", "1/64", "--t-end", "1/4", "--steppers", "vti2", folder=f"{base}/stiff")
+    lost = rows(f"{base}/stiff")[1]
+    check(lost["t_end"] == "0.25" and lost["steps"] == "16" and "the reference solution stopped" in lost["failure"],
+          f"a point without reference has the steps that it would take: {lost}")
     with open(f"{base}/far/timing.csv", newline="", encoding="ascii") as file:
         times = [row["ns_per_step"] for row in csv.DictReader(file)]
     check(len(times) == 3 and float(times[0]) > 0 and times[1] == "nan", f"a point that cannot be made takes {times[1]} a step")
+
+
+def blown_up(base):
+    """A stepper that a stiff bond blows up has infinite errors there, and no mean that leaves them out."""
+    result = study(1, os.path.join(SCENES, "pair.yaml"), "--t-end", "20", "--h", "1/4,1/32", "--steppers", "vti2", "--sweep",
+                   "binder.axial=200,2e6", folder=f"{base}/blown")
+    table = rows(f"{base}/blown")
+    finite = [[numpy.isfinite(float(row[error])) for error in ERRORS] for row in table]
+    lost = [not all(finite[k]) or not all(finite[k + 2]) for k in range(2)]
+    with h5py.File(f"{base}/blown/study.h5") as file:
+        ensemble = {name: file["ensemble"][name][...] for name in file["ensemble"]}
+    check(all(not row["failure"] for row in table) and list(ensemble["runs"]) == [2, 2] and list(ensemble["failed"]) == [0, 0],
+          "runs and failed ones are as many as values")
+    check(any(lost) and list(ensemble["infinite"]) == [sum(not all(finite[k + 2 * v]) for v in range(2)) for k in range(2)],
+          f"what blew up is counted: {ensemble['infinite']}")
+    for m, error in enumerate(ERRORS):
+        means = [numpy.inf if not (finite[k][m] and finite[k + 2][m]) else
+                 numpy.mean([float(table[k][error]), float(table[k + 2][error])]) for k in range(2)]
+        check(numpy.allclose(ensemble[f"mean_{error}"], means, rtol=1e-12), f"... {error}: means {ensemble[f'mean_{error}']}, not {means}")
+    told = [line for line in result.stdout.splitlines() if line.endswith("with infinite errors")]
+    check(len(told) == sum(lost) and all("  2  " in line and " inf " in line for line in told), f"... and it is told {told}")
 
 
 def pictures(base):
@@ -194,7 +221,9 @@ def refused(base):
                                     ["vti-study: --tolerance=1e-5", "tolerance is swept", "leave one of them out"]),
                                    ("with --cost", ["--cost", "--sweep", "t_end=1,2"], ["--sweep", "--cost"]),
                                    ("one name", [PENDULUM], ["two scenes have the name pendulum"]),
-                                   ("h", ["--sweep", "pendulum.weight=1,2", "--h", "100"], ["--h", "longer than t_end"])):
+                                   ("h", ["--sweep", "pendulum.weight=1,2", "--h", "100"], ["--h", "longer than t_end"]),
+                                   ("no estimate", ["--sweep", "pendulum.weight=1,2", "--h", "1/4", "--tolerance", "1e-6", "--steppers",
+                                                    "srkn11,vti2"], ["the stepper vti2 has no estimate"])):
         result = run(STUDY, PENDULUM, *arguments, "-o", f"{base}/refused")
         check(one_line(result, *words) and not os.path.exists(f"{base}/refused"), f"{what}: {result.stderr.strip()[:160]}")
 
@@ -320,7 +349,7 @@ def by_name(base):
         check(options or re.findall(r"^vti1 +(\S+) ", done.stdout, re.MULTILINE)[:2] == ["0.3", "1/4"], "... with h as one would write it")
 
 
-for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory, strays, by_name):
+for topic in (points, scenes, failures, blown_up, pictures, tolerances, refused, interrupted, edited, memory, strays, by_name):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
