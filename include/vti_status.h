@@ -68,7 +68,7 @@ extern "C" {
         "an effect does not report its springs, so that the stable step has no bound; give it springs, "               \
         "vti_springs_none if its force does not change with position, or leave it out to bound the others")            \
     ROW(VTI_E_NEEDS, -19,                                                                                              \
-        "an effect needs a view that the bodies lack (x, v, an attitude, omega, mass or inertia), or its needs have "   \
+        "an effect needs a view that the bodies lack (x, v, an attitude, omega, mass or inertia), or its needs have "  \
         "an unknown bit; give the bodies that view, or leave the effect out")                                          \
     ROW(VTI_E_DAMPING, -20,                                                                                            \
         "a coefficient of drag, damping or friction is negative or not finite, or the velocity of a medium is not "    \

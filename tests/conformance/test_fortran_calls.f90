@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> What hosts call that do a step's work in parts: the passes of bonds, lists for a slice, a step's end and the next one's
-!> start at once, stages and drifts of their own, a restart with what touches hold. Each against the plain way, to the bit.
+!> What hosts call that do a step's work in parts: the passes of bonds, lists for a slice, a step's end and the next
+!> one's start at once, stages and drifts of their own, a restart with what touches hold. Each against the plain way, to
+!> the bit.
 program test_fortran_calls
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc
     use common, only: expect, expect_status, finish, same_bits
@@ -78,20 +79,23 @@ contains
         first = [1_c_int64_t, bonds%count/3 + 1]
         last = [bonds%count/3, bonds%count]
         do k = 2, 1, -1
-            call expect_status(vti_bonds_loads(bonds, b, first(k), last(k), loads(:, first(k):last(k))), VTI_OK, 'loads')
+            call expect_status(vti_bonds_loads(bonds, b, first(k), last(k), loads(:, first(k):last(k))), VTI_OK, &
+                'loads')
         end do
         force = 0
         moment = 0
         do k = 1, 2
             part = vti_bodies_slice(b, merge(1_c_int64_t, 20_c_int64_t, k == 1), merge(19_c_int64_t, n - 19, k == 1))
             do i = 1, 2
-                call expect_status(vti_bonds_sum(bonds, loads(:, first(i):last(i)), first(i), last(i), part), VTI_OK, 'sum')
+                call expect_status(vti_bonds_sum(bonds, loads(:, first(i):last(i)), first(i), last(i), part), VTI_OK, &
+                    'sum')
             end do
         end do
         call expect(same_bits(force, f) .and. same_bits(moment, t), 'two passes are the effect')
         call expect(norm2(f) > 1 .and. norm2(t) > 1, 'bonds that pull and twist')
         call expect_status(vti_bonds_loads(bonds, b, 1_c_int64_t, 2_c_int64_t, loads), VTI_E_COUNT, 'loads of others')
-        call expect_status(vti_bonds_sum(bonds, loads(2:, :2), 1_c_int64_t, 2_c_int64_t, b), VTI_E_COUNT, 'parts of loads')
+        call expect_status(vti_bonds_sum(bonds, loads(2:, :2), 1_c_int64_t, 2_c_int64_t, b), VTI_E_COUNT, &
+            'parts of loads')
         call expect_status(vti_bonds_loads(bonds, b, bonds%count, bonds%count + 1, loads(:, :2)), VTI_E_COUNT, &
             'a bond that there is not')
     end subroutine
@@ -159,7 +163,8 @@ contains
         call compare(two, one%x, one%v, one%alpha, one%omega, two%rest, 'next')
         call expect_status(vti_step_next(vti_stepper_find('srkn14'), h, of_one), VTI_E_STAGE, 'a drift at the end')
         one%omega(:, 9) = 2/h
-        call expect_status(vti_step_next(vti_stepper_find('vti1'), h, of_one, fault), VTI_E_TOO_LARGE, 'a turn too large')
+        call expect_status(vti_step_next(vti_stepper_find('vti1'), h, of_one, fault), VTI_E_TOO_LARGE, &
+            'a turn too large')
         call expect(fault%body == 9, 'of the ninth body')
     end subroutine
 
@@ -187,11 +192,12 @@ contains
         end do
         call expect_status(vti_step_finish(method, h, of_two), VTI_OK, 'end')
         call compare(two, one%x, one%v, one%alpha, one%omega, two%rest, 'stages')
-        call expect_status(vti_effects_stage(method, method%stages, h, effects, of_one), VTI_E_STAGE, 'a stage too many')
+        call expect_status(vti_effects_stage(method, method%stages, h, effects, of_one), VTI_E_STAGE, &
+            'a stage too many')
     end subroutine
 
-    !> A host's own kick and drift with friction, which it tells of the drift, is vti_effects_begin; and a history that is
-    !> put together anew, entry by entry, goes on as the one that was there.
+    !> A host's own kick and drift with friction, which it tells of the drift, is vti_effects_begin; and a history that
+    !> is put together anew, entry by entry, goes on as the one that was there.
     subroutine drifts()
         type(crowd), target :: one, two
         type(vti_bodies) :: of_one, of_two
@@ -230,8 +236,8 @@ contains
         call expect_status(vti_apply(mine, of_one), VTI_OK, 'apply')
         call expect_status(vti_kick(h/2, of_one), VTI_OK, 'kick')
         call expect_status(vti_drift(int(method%law, c_int), int(method%frame, c_int), h, of_one), VTI_OK, 'drift')
-        call expect_status(vti_effects_carry(mine, vti_drifted(t=h, law=method%law, frame=method%frame), of_one), VTI_OK, &
-            'carry')
+        call expect_status(vti_effects_carry(mine, vti_drifted(t=h, law=method%law, frame=method%frame), of_one), &
+            VTI_OK, 'carry')
         call expect_status(vti_apply(mine, of_one), VTI_OK, 'apply')
         call expect_status(vti_kick(h/2, of_one), VTI_OK, 'kick')
         call compare(two, one%x, one%v, one%alpha, one%omega, two%rest, 'friction by hand')

@@ -115,8 +115,8 @@ TEST(restitution)
             }
 }
 
-/** A held sphere is outside of the slice and, as flows change both bodies of a pair, has a mass and an inertia of 1e300:
- *  it stays, and another one leaves it as a plane. */
+/** A held sphere is outside of the slice and, as flows change both bodies of a pair, has a mass and an inertia of
+ *  1e300: it stays, and another one leaves it as a plane. */
 TEST(held_by_mass)
 {
     impact_clear(&m, 2, 0, 1e4);

@@ -6,8 +6,8 @@
  * ends,
  *     g(s) = g0 + r0 s + b s^2 + a s^3,      b = 3 (g1 - g0) - 2 r0 - r1,      a = r0 + r1 - 2 (g1 - g0),
  * exact for free flight in a field. It is least at s = -r0/(b + c), c = sqrt(b^2 - 3 a r0), where g'' = 2 c. Where that
- * is -delta < 0, the touch lasts T = 2 h sqrt(delta/c), and with the force F = K/L (delta/L)^{3/2} of its deepest, L being
- * the radius, it changes the velocity by (3 pi/16) F T/m, as contact_missed.c has it. */
+ * is -delta < 0, the touch lasts T = 2 h sqrt(delta/c), and with F = K/L (delta/L)^{3/2} at its deepest, L being the
+ * radius, it changes the velocity by (3 pi/16) F T/m, as contact_missed.c has it. */
 #include "wall.h"
 
 /** Gap between the surface of body i and wall w, of an x where the wall is now, and its rate. */
