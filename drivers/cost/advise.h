@@ -100,6 +100,7 @@ struct offer {
     double more;                  /* times the steps of the finest of these, if that is why it is not one of them */
     int coarse;                   /* ... which began near its stable step, where errors fall by more than any order */
     double doubt, below;          /* the error lies between error/below and error doubt; INFINITY: anywhere */
+    double part_doubt;            /* ... of what the first part of the time tells, at its end */
     double errors[COST_MEASURES]; /* by all measures; NaN where the scene has none, or nothing is known */
     enum offer_source source;
 };
@@ -206,7 +207,8 @@ double search_lasting_order(const struct search *s, const vti_stepper *stepper, 
  *  and the stepper's own where something dissipates. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);
 /** Fills in the offer of o->stepper for s->t_end and s->target by runs that cost up to the limit (pilot_cost), compared
- *  with s->solution. Returns likewise. */
+ *  with s->solution. Returns likewise; where the purse is empty, or has no room for the next run, the offer is followed
+ *  from the runs that were made, if one of them tells anything: else its source is OFFER_NONE. */
 int search_stepper(struct search *s, struct offer *o, double limit);
 /** Above this an angle says nothing about how it falls. */
 #define SEARCH_TOO_FAR 0.3

@@ -81,6 +81,7 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
     }
     if (longer > 1.0) {
         o->source = OFFER_SHORTER;
+        o->part_doubt = o->doubt;
         o->doubt = o->below = fmax(o->doubt, s->doubt * growth_doubt(s, found->stepper));
     }
     if (!lengthen(s, o, longer * finer))
@@ -113,7 +114,7 @@ void offers_regrow(struct stages *g, const double before[ADVICE_MOST])
             continue;
         const double more = offers_growth(s, o->stepper, s->measure) / before[k];
         if (lengthen(s, o, plain_power(fmax(more, 1.0), 1.0 / search_lasting_order(s, o->stepper, o->order))))
-            o->doubt = o->below = s->doubt * growth_doubt(s, o->stepper);
+            o->doubt = o->below = fmax(o->part_doubt, s->doubt * growth_doubt(s, o->stepper));
     }
 }
 

@@ -10,8 +10,9 @@
 #include "number.h"
 #include "random.h"
 
-/* one look at the energy of so many is timed; and at the purse there are so many where steps vary */
-enum { TIMED = 16, LOOKS = 64 };
+/* one look at the energy of so many is timed, after so many one of so many more, as reading the time may take longer than
+ * both a step and a look; and at the purse there are so many where steps vary */
+enum { TIMED = 16, FIRST = 4096, RARELY = 1024, LOOKS = 64 };
 
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
@@ -36,12 +37,12 @@ struct flight {
     struct trial_run run;
     const struct purse *purse;
     struct pilot_way way;
-    double evals;   /* of a step, with a look at every one; 0 where they vary */
-    double looking; /* seconds that are not the steps' */
-    double clock;   /* seconds that reading the time takes */
-    int64_t looks;  /* at the energy, and seconds of those that were timed */
-    double timed;
-    int64_t step; /* the last at which the purse was looked at */
+    double evals;               /* of a step, with a look at every one; 0 where they vary */
+    double looking;             /* seconds that are not the steps' */
+    double clock;               /* seconds that reading the time takes */
+    int64_t looks, timed_looks; /* at the energy, and how many of them were timed */
+    double timed;               /* seconds of these */
+    int64_t step;               /* the last at which the purse was looked at */
 };
 
 /** A copy at p of a view that is there. Returns where the next one goes. */
@@ -108,10 +109,12 @@ static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
     struct flight *f = self;
     struct pilot *pilot = f->pilot;
     struct model *model = &f->run.model;
-    const int timed = f->looks++ % TIMED == 0;
+    const int timed = f->looks % (f->looks < FIRST ? TIMED : RARELY) == 0;
     const double from = timed ? trial_clock() : 0.0;
     const double energy = model_energy(model, bodies) + vti_booked(model->effects, model->effects_count);
     (void)t;
+    ++f->looks;
+    f->timed_looks += timed;
     pilot->energy = step == 0 ? energy : pilot->energy;
     const double off = fabs(energy - pilot->energy) / (pilot->energy != 0.0 ? fabs(pilot->energy) : 1.0);
     pilot->energy_error = number_larger(pilot->energy_error, off);
@@ -142,8 +145,8 @@ static int64_t purse_every(const struct flight *f, int64_t steps, int64_t bodies
 /** Seconds of the steps, of which looks are as dear as those that were timed; at the least a tenth of all. */
 static double seconds_of(const struct flight *f)
 {
-    const int64_t timed = (f->looks + TIMED - 1) / TIMED;
-    const double all = f->run.seconds, looks = timed > 0 ? f->timed * (double)f->looks / (double)timed : 0.0;
+    const double all = f->run.seconds,
+                 looks = f->timed_looks > 0 ? f->timed * (double)f->looks / (double)f->timed_looks : 0.0;
     return fmax(all - f->looking - looks, 0.1 * all);
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * From its largest stable step on a stepper is run with ever more steps, each number chosen by the order seen so
- * far, until it meets the error from below, or would cost several times what the best has needed; then its order
- * tells the rest. */
+ * far, until it meets the error from below, or would cost several times what the best has needed, or more than the
+ * purse has left; then its order tells the rest. */
 #include "advise.h"
 
 #include <math.h>
@@ -148,6 +148,12 @@ static int is_too_dear(const struct search *s, const vti_stepper *stepper, const
     return cost > (finest->error < SEARCH_TOO_FAR ? limit : 4.0 * limit) && isfinite(s->limit);
 }
 
+/** Whether the purse ends it for certain, by work. */
+static int is_beyond_purse(const struct search *s, const vti_stepper *stepper, int64_t steps)
+{
+    return (double)steps * pilot_evals(stepper) * (double)s->bodies >= s->purse.most - s->purse.work;
+}
+
 /** How many times more than run p, of this stepper, all its runs let expect of one in so many steps (offer.usual). One
  *  run of a few bodies, which meet a few touches, says little. */
 static double usual_of(const struct search *s, const vti_stepper *stepper, const struct point *runs, int count,
@@ -166,14 +172,14 @@ static double usual_of(const struct search *s, const vti_stepper *stepper, const
 }
 
 /** Follows the order from the finest run to where it meets the error. The longer the way, the more an order that is off
- *  by a half matters. */
+ *  by a half matters; and runs that the purse has cut short may be too coarse to show a higher order that lasts. */
 static void follow(const struct search *s, struct offer *o, const struct point *before, const struct point *finest,
-                   double usual, const struct price *price)
+                   double usual, const struct price *price, int cut)
 {
     const double error = search_aim(s) * s->target, here = search_order(s, o->stepper);
     const double seen = search_lasting_order(s, o->stepper, order_between(s, o->stepper, before, finest));
     const struct point from = {finest->steps, usual * finest->error};
-    const int64_t steps = steps_for(&from, fabs(seen - here) < 0.7 ? here : seen, error);
+    const int64_t steps = steps_for(&from, fabs(seen - here) < 0.7 || (cut && seen > here) ? here : seen, error);
     offer_set(s, o, steps, error, price);
     for (int m = 0; m < COST_MEASURES; ++m)
         o->errors[m] = m == s->measure ? error : NAN;
@@ -187,17 +193,21 @@ int search_stepper(struct search *s, struct offer *o, double limit)
     struct point before = {0, INFINITY}, above = {0, INFINITY}, below = {0, 0.0};
     struct price price = {0.0, 0.0};
     struct point runs[TRIES];
-    int refinements = 0, count = 0;
+    int refinements = 0, count = 0, cut = 0;
     int64_t steps = search_fewest(s, o->stepper);
     for (int k = 0; k < TRIES && steps > 0; ++k) {
         struct pilot pilot;
+        cut = below.steps == 0 && above.error < SEARCH_TOO_FAR;
+        if (cut && is_beyond_purse(s, o->stepper, steps))
+            break; /* what is left may do for another stepper */
         const int result = search_run(s, o->stepper, steps, &pilot);
         if (result != 0) {
             pilot_destroy(&pilot);
-            if (result < 0 || below.steps == 0)
+            if (result < 0 || (below.steps == 0 && !cut))
                 return result;
             break; /* what is known is worth telling */
         }
+        cut = 0;
         const struct point p = {steps, search_error(s, &pilot, s->measure)};
         price.seconds = pilot.seconds / (double)steps;
         price.evals = o->stepper->evals > 0 ? (double)o->stepper->evals : (double)pilot.force_evals / (double)steps;
@@ -221,6 +231,6 @@ int search_stepper(struct search *s, struct offer *o, double limit)
         o->missed = above.steps > 0 ? above.error : NAN;
         o->usual = usual_of(s, o->stepper, runs, count, &below);
     } else if (above.error < SEARCH_TOO_FAR)
-        follow(s, o, &before, &above, usual_of(s, o->stepper, runs, count, &above), &price);
-    return 0;
+        follow(s, o, &before, &above, usual_of(s, o->stepper, runs, count, &above), &price, cut);
+    return cut ? ADVISE_SPENT : 0;
 }

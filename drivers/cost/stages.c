@@ -17,11 +17,19 @@ static double left(const struct stages *g)
     return fmax((isfinite(g->search.purse.until) ? g->search.purse.until : g->search.purse.most) - spent(g), 0.0);
 }
 
+/** How many times longer than it counts for a step of a pilot takes, if bodies are few and forces smooth: then a look takes
+ *  as long as four steps of the pendulum, and as eight of two bonded bodies by vti2. */
+static double looks_too_dear(const struct search *s)
+{
+    static const double few = 8.0;
+    return s->kinked ? 1.0 : fmax(1.0, few / (double)s->bodies);
+}
+
 void stages_open_purse(struct stages *g, double evals)
 {
     const double prudent = 0.65; /* what turns out to be the best may take less than what was by now */
     struct search *s = &g->search;
-    const double share = prudent * advise_share(s->scene);
+    const double share = prudent * advise_share(s->scene) / looks_too_dear(s);
     s->purse.most = isfinite(s->purse.until) ? INFINITY : fmax(PURSE_LEAST, share * evals * (double)s->bodies);
 }
 
@@ -51,6 +59,21 @@ static void time_again(struct search *s, struct offer *o)
     }
 }
 
+/** Of a search that the purse has cut short: what its runs tell, unless more is known. Returns 0 if nothing better than
+ *  that is known of any stepper, so that others are told likewise, else ADVISE_SPENT: what is far less sure than another
+ *  offer is not the advice, however little it costs. */
+static int take_cut(struct stages *g, int64_t k, const struct offer *found, double target)
+{
+    static const double surer = 2.0;
+    struct offer *o = &g->search.advice->offers[k], told;
+    const int64_t best = offers_best(g);
+    g->cut = g->cut || best < 0;
+    offers_carry_over(g, found, target, &told);
+    if (o->source == OFFER_NONE || told.doubt < o->doubt)
+        *o = told;
+    return g->cut && (best < 0 || o->doubt <= surer * g->search.advice->offers[best].doubt) ? 0 : ADVISE_SPENT;
+}
+
 /** Offer k at this stage. */
 static int make_offer(struct stages *g, int64_t k, double limit)
 {
@@ -60,12 +83,16 @@ static int make_offer(struct stages *g, int64_t k, double limit)
     s->target = target / offers_growth(s, found.stepper, s->measure);
     const int result = search_stepper(s, &found, limit);
     s->target = target;
+    if (result == ADVISE_SPENT && found.source != OFFER_NONE)
+        return take_cut(g, k, &found, target);
     if (result != 0)
         return result;
     if (g->complete && found.source == OFFER_MEASURED)
         time_again(s, &found);
-    if (found.source == OFFER_MEASURED && method_rival(found.stepper) == NULL)
+    if (found.source == OFFER_MEASURED && method_rival(found.stepper) == NULL) {
         s->limit = fmin(s->limit, 2.0 * offers_cost(&found));
+        g->cut = 0;
+    }
     offers_carry_over(g, &found, target, &s->advice->offers[k]);
     return 0;
 }
@@ -146,7 +173,7 @@ static int run_stage(struct stages *g, double t_end, double target)
         any = g->latest[k] = result == 0 || g->latest[k];
     }
     if (result == 0 && g->complete)
-        result = make_best(g);
+        result = g->cut ? ADVISE_SPENT : make_best(g);
     return result;
 }
 
@@ -238,6 +265,7 @@ void stages_by_energy(struct stages *g)
     struct search *s = &g->search;
     struct advice *a = s->advice;
     a->parted = 1;
+    g->cut = 0;
     a->measure = g->search.measure = COST_ENERGY;
     stages_all_active(g);
     memset(g->latest, 0, sizeof g->latest);

@@ -18,6 +18,7 @@ struct stages {
     double part;             /* of the time, that the last two runs of one stepper went over */
     int whole;               /* it was over the whole time */
     int complete;            /* ... and of the error asked for */
+    int cut;                 /* all that is known was followed from runs of searches that the purse has cut short */
 };
 
 /* ---- offers ------------------------------------------------------------------------------------------------------ */

@@ -180,10 +180,11 @@ void advise_warnings(const struct scene *scene, const struct advice *a, FILE *fi
                 "much longer than t = %g name the others by --steppers\n",
                 best->stepper->name, a->t_end);
     say_small(best, a->target, stable_least(&a->limits, best->stepper), file);
-    if (best->source == OFFER_STABILITY && a->evals > 0.0)
+    const double wanted = two_runs * (double)best->force_evals;
+    if (best->source == OFFER_STABILITY && a->evals > 0.0 && a->evals < wanted)
         fprintf(file, "note: pilots were not allowed to go over the whole time; --budget %.2g would do for two runs\n",
-                budget_for(a, two_runs * (double)best->force_evals * a->seconds / a->evals));
-    else if (best->source != OFFER_MEASURED)
+                budget_for(a, wanted * a->seconds / a->evals));
+    else if (best->source != OFFER_MEASURED && best->source != OFFER_STABILITY)
         fprintf(file, "note: pilots were not allowed to go over the whole time to this error; --budget %.2g would do\n",
                 budget_for(a, 150.0 * (isfinite(best->seconds) ? best->seconds : 1.0)));
 }

@@ -191,6 +191,20 @@ void progress_show(int64_t done, int64_t all, double seconds)
         progress_show_what("", done, all, seconds);
 }
 
+void progress_say(const char *line, double seconds)
+{
+    if (terminal() == NULL) {
+        if (log_is_due(seconds))
+            fprintf(stderr, "%s: %s\n", speaker, line);
+        return;
+    }
+    if (shown < 0.0)
+        let_pass();
+    shown = seconds;
+    fprintf(terminal(), "\r%-*.*s", WIDTH + REST - 1, WIDTH + REST - 1, line);
+    fflush(terminal());
+}
+
 void progress_clear(void)
 {
     if (shown >= 0.0) {

@@ -19,7 +19,9 @@
 void progress_show(int64_t done, int64_t all, double seconds);
 /** The same with a word in front of it: what is being done. */
 void progress_show_what(const char *what, int64_t done, int64_t all, double seconds);
-/** Wipes the bar. */
+/** A line instead of the bar, where nobody knows how much is to be done: "vti-advise: trying exact in 1024 steps". */
+void progress_say(const char *line, double seconds);
+/** Wipes either. */
 void progress_clear(void);
 
 /* ---- where there is no terminal ---------------------------------------------------------------------------------- */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * vti-advise: a scene and an error in, a stepper and a step out. The work is in cost/advise.c. */
-#define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
-#include <unistd.h>
 
 #include "advise.h"
 #include "advise_text.h"
@@ -46,11 +44,15 @@ static const struct option_row rows[] = {
 
 static const struct options options = {"vti-advise", "", "[options] SCENE.yaml", rows, 1};
 
-/** What is being run, on a terminal. */
+/** When the first pilot began, purse_clock. */
+static double begin;
+
+/** What is being run, on a terminal; else now and then in a line. */
 static void show(const char *stepper, int64_t steps)
 {
-    if (isatty(STDERR_FILENO))
-        fprintf(stderr, "\r\033[Ktrying %s in %lld steps", stepper, (long long)steps);
+    char line[80];
+    snprintf(line, sizeof line, "trying %s in %lld steps", stepper, (long long)steps);
+    progress_say(line, purse_clock() - begin);
 }
 
 /** What of the scene says nothing to any pilot. */
@@ -102,9 +104,10 @@ static int give_advice(struct scene *scene, struct message *message)
             "the run that is advised on; --budget sets another time\n",
             scene_first_with(scene, EFFECT_KINKED));
     fflush(stdout);
+    begin = purse_clock();
+    log_as(options.program);
     const int failed = advise(&request, &advice, message);
-    if (isatty(STDERR_FILENO))
-        fputs("\r\033[K", stderr);
+    progress_clear();
     if (failed != 0)
         return -1;
     if (json)

@@ -103,7 +103,7 @@ rotation = re.compile("turn|rotate|moment")
 _, names = per_body("tla")
 check(not any(map(rotation.search, names)), "a scene in which nothing can turn calls no function of rotation")
 kernels = {n.removesuffix(".cold") for n in names_whole if re.match("loads_|energy_", n)}
-for refused, words in ("tlp", "an effect needs what the bodies do not have"), ("rlg", "an effect needs"), ("tlf", "an effect needs"):
+for refused, words in ("tlp", "an effect needs"), ("rlg", "an effect needs"), ("tlf", "an effect needs"):
     done = subprocess.run([COST, refused, "1"], capture_output=True, text=True, check=False)
     check(done.returncode == 1 and done.stdout == "" and done.stderr.startswith(f"cost: {refused}: {words}") and done.stderr.count("\n") == 1,
           f"a scene that is refused costs nothing, and says so: {done.returncode}, {done.stderr.strip()[:80]}")

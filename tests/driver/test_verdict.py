@@ -173,8 +173,8 @@ def runs(base):
     check(found["verdict"] == b"good" and not any("warning" in line for line in lines), "and none at 1")
     for x, said in ("1e12", True), ("1e8", False):
         _, lines, found = verdict(base, f"{base}/away.yaml", "--set", f"bodies.x=[{x}, 0, 0]")
-        words = ("rounding takes up to 1.1 of their way in a step; move the origin nearer",
-                 "rounding takes up to 1.1 of their way in a step: move it nearer")
+        words = ("rounding takes up to 1.1 of their displacement in a step; move the origin nearer",
+                 "rounding takes up to 1.1 of their displacement in a step: move it nearer")
         warnings = [line for line in lines if line.startswith("warning: ")]
         check((found["verdict"] == b"doubtful") == said == (words[1] in lines[-1]) and [words[0] in line for line in warnings] == [True] * said,
               f"2^-53 x/(h v) from x = {x}: {lines[-1]}")
