@@ -6,6 +6,7 @@
 #include "advise_text.h"
 #include "options.h"
 #include "table_hdf5.h"
+#include "terminal.h"
 #include "unused.h"
 
 static struct option_list sets;
