@@ -10,8 +10,8 @@
 #include "number.h"
 #include "random.h"
 
-/* one look at the energy of so many is timed, after so many one of so many more, as reading the time may take longer than
- * both a step and a look; and at the purse there are so many where steps vary */
+/* one look at the energy of so many is timed, after so many one of so many more, as reading the time may take longer
+ * than both a step and a look; and at the purse there are so many where steps vary */
 enum { TIMED = 16, FIRST = 4096, RARELY = 1024, LOOKS = 64 };
 
 /* ---- the purse --------------------------------------------------------------------------------------------------- */

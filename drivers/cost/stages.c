@@ -17,8 +17,8 @@ static double left(const struct stages *g)
     return fmax((isfinite(g->search.purse.until) ? g->search.purse.until : g->search.purse.most) - spent(g), 0.0);
 }
 
-/** How many times longer than it counts for a step of a pilot takes, if bodies are few and forces smooth: then a look takes
- *  as long as four steps of the pendulum, and as eight of two bonded bodies by vti2. */
+/** How many times longer than it counts for a step of a pilot takes, if bodies are few and forces smooth: then a look
+ *  takes as long as four steps of the pendulum, and as eight of two bonded bodies by vti2. */
 static double looks_too_dear(const struct search *s)
 {
     static const double few = 8.0;
@@ -60,8 +60,8 @@ static void time_again(struct search *s, struct offer *o)
 }
 
 /** Of a search that the purse has cut short: what its runs tell, unless more is known. Returns 0 if nothing better than
- *  that is known of any stepper, so that others are told likewise, else ADVISE_SPENT: what is far less sure than another
- *  offer is not the advice, however little it costs. */
+ *  that is known of any stepper, so that others are told likewise, else ADVISE_SPENT: what is far less sure than
+ *  another offer is not the advice, however little it costs. */
 static int take_cut(struct stages *g, int64_t k, const struct offer *found, double target)
 {
     static const double surer = 2.0;

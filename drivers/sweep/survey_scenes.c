@@ -104,7 +104,7 @@ static int blame_sweep(const struct survey_plan *plan, struct message *message)
     const char *at = strstr(said.text, set);
     for (int i = 0; at != NULL && i < plan->sweep->count; ++i) {
         const char *key = plan->sweep->axis[i].key;
-        if (strncmp(at + strlen(set), key, strlen(key)) == 0)
+        if (strncmp(at + strlen(set), key, strlen(key)) == 0 && at[strlen(set) + strlen(key)] == '=')
             return message_set(message, "%.*s--sweep %s", (int)(at - said.text), said.text, at + strlen(set));
     }
     return -1;

@@ -123,6 +123,8 @@ def failures(base):
               list(file["ensemble/failed"]) == [1, 0, 0, 0] and list(file["ensemble/runs"]) == [1, 2, 2, 2], "... and counted")
     result = study(1, CHAIN, "--sweep", "bodies.mass=-1:1", "--h", "1/64", "--t-end", "1", folder=f"{base}/none")
     check(one_line(result, "--sweep bodies.mass=-1"), f"an end of a range is looked at first: {result.stderr.strip()}")
+    result = study(1, CHAIN, "--sweep", "bodies.mass=1,2", "--set", "bodies.massive=1", "--h", "1/64", folder=f"{base}/other")
+    check(one_line(result, "--set bodies.massive=1"), f"another key that begins alike is not the sweep's: {result.stderr.strip()}")
     study(1, CHAIN, "--sweep", "bodies.chain.spacing=1:2:1/2", "--h", "1/64", "--t-end", "1/4",
           "--steppers", "vti2", folder=f"{base}/good")
     check(all(not row["failure"] for row in rows(f"{base}/good")) and len(rows(f"{base}/good")) == 3, "values that suit")

@@ -46,7 +46,7 @@ NOTES = {
                  "contacts, `vti_walls_check` at walls and the bodies at them: each once, before a run. During a step walls alone are "
                  "looked at; other numbers spread to what they act on, and show in energies.",
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
-            "across slices.",
+            "across slices. Where dashpots act on it, it has a mass and an inertia of 1e300 as well, as they change both bodies of a pair.",
     "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. A run is bad if its energy "
                "grows by more than S/4, S being its largest T + U without fields, or all that was recorded as lost or as work where that is more, and that in H and in "
                "H - (h^2/8) sum(F^2/m + RM^2/J), or by 0.7 S in H alone; if a body comes by more than a diameter per step towards what it meets; or if the run "

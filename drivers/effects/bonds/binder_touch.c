@@ -28,24 +28,26 @@ static int resize(void *p, int64_t n, size_t size)
     return moved != NULL; /* cppcheck-suppress memleak ; *p has it */
 }
 
-/** Room for so many bonds in all of their arrays. Returns 0, or -1: there is none, and all are as they were. */
+/** Room for so many bonds in all of their arrays. Returns 0, or -1: room is as it was, and what there is is kept. */
 static int grow(struct binder_self *self, int64_t room)
 {
     struct bond_break *b = &self->breaking;
     if (room <= self->touch.room)
         return 0;
-    if (!(resize(&self->pair, 2 * room, sizeof *self->pair) && resize(&self->memory, REST * room, sizeof(double)) &&
-          resize(&self->touch.turn, TURN * room, sizeof(double)) && resize(&b->id, room, sizeof *b->id) &&
-          resize(&b->ends, 2 * room, sizeof *b->ends) && resize(&b->memory, room, sizeof(double)) &&
-          resize(&b->made, room, sizeof(double)) && resize(&self->touch.known, 2 * room, sizeof(int64_t)) &&
-          (self->turns.pair == NULL || resize(&self->turns.pair, 4 * room, sizeof(double)))))
-        return -1;
-    self->touch.room = room;
-    self->bonds.pair = self->pair;
+    const int grown = resize(&self->pair, 2 * room, sizeof *self->pair) &&
+                      resize(&self->memory, REST * room, sizeof(double)) &&
+                      resize(&self->touch.turn, TURN * room, sizeof(double)) && resize(&b->id, room, sizeof *b->id) &&
+                      resize(&b->ends, 2 * room, sizeof *b->ends) && resize(&b->memory, room, sizeof(double)) &&
+                      resize(&b->made, room, sizeof(double)) && resize(&self->touch.known, 2 * room, sizeof(int64_t)) &&
+                      (self->turns.pair == NULL || resize(&self->turns.pair, 4 * room, sizeof(double)));
+    self->bonds.pair = self->pair; /* some have moved, even if one has not */
     self->bonds.rest = self->memory;
     self->bonds.turn = self->touch.turn;
     b->broke = b->memory;
     b->rupture.id = b->id;
+    if (!grown)
+        return -1;
+    self->touch.room = room;
     return 0;
 }
 
