@@ -65,6 +65,7 @@ VTI_INLINE void loads_all(int terms, int form, enum layout layout, const vti_bon
     for (; first < last; first += WIDTH, rows += WIDTH * VTI_BOND_LOADS) {
         const int64_t left = last - first < WIDTH ? last - first : WIDTH, begin = first + left - WIDTH;
         const vti_bonds block = begin >= 0 ? from(bonds, begin) : vti_bonds_filled(bonds, first, last, WIDTH, &few);
+        /* cppcheck-suppress legacyUninitvar ; it is written */
         evaluate(terms, form, layout, &block, &b, left == WIDTH ? rows : rest);
         if (left < WIDTH)
             memcpy(rows, rest + (begin >= 0 ? WIDTH - left : 0) * VTI_BOND_LOADS,
