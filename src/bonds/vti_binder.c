@@ -249,7 +249,7 @@ static int pass_check(const vti_bonds *bonds, const vti_bodies *b, int64_t first
 int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *loads)
 {
     const int status = pass_check(bonds, b, first, last, loads);
-    if (status != VTI_OK)
+    if (status != VTI_OK || first == last)
         return status;
     if (VTI_LOOKS && vti_bonds_ready(bonds, b, 0) != VTI_OK)
         return VTI_E_BOND;
@@ -262,10 +262,11 @@ int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, 
 int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, int64_t last, const vti_bodies *b)
 {
     const int status = pass_check(bonds, b, first, last, loads);
-    const int terms = status == VTI_OK ? terms_of(bonds) : 0;
-    if (status == VTI_OK)
-        kernels(bonds->count)->sum[layout_of(terms, b) == ANY](terms, bonds, b, first, last, loads);
-    return status;
+    if (status != VTI_OK || first == last)
+        return status;
+    const int terms = terms_of(bonds);
+    kernels(bonds->count)->sum[layout_of(terms, b) == ANY](terms, bonds, b, first, last, loads);
+    return VTI_OK;
 }
 
 /* ---- what bonds hold --------------------------------------------------------------------------------------------- */
