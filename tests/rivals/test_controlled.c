@@ -273,9 +273,11 @@ TEST(ceiling)
         const double after = j.model.bodies.v.c[2][0];
         end(&j);
         assert_true(after < speed - 4.0 - 0.01); /* as free flight has it, and the touch */
-        throw_up(&j, folder, &controlled_at(n % 2 * 2)->stepper, 1e-7, 0.125, speed);
-        assert_close(j.model.bodies.v.c[2][0], after, 1e-5);
-        end(&j);
+        for (int k = 0; k < 3; k += 2) {         /* srkn11 and srkn6 */
+            throw_up(&j, folder, &controlled_at(k)->stepper, 1e-7, 0.125, speed);
+            assert_close(j.model.bodies.v.c[2][0], after, 1e-5);
+            end(&j);
+        }
     }
     rmdir(folder);
 }
