@@ -2,13 +2,13 @@
  * Touches that a step has passed by, between two evaluations of its forces.
  *
  * On the straight way d(s) = d0 + s (d1 - d0), 0 < s < 1, two spheres that begin to touch at the distance L are nearest
- * at s = -d0.(d1 - d0)/|d1 - d0|^2, at the distance r, and overlap for the time T = 2 h sqrt(L^2 - r^2)/|d1 - d0|. The
- * force there is at most F = K/L (1 - r/L)^{3/2}. With the overlap going as 1 - tau^2, tau from -1 to 1 over T, its
- * mean is (3 pi/16) F, and changes the relative velocity by 0.589 F T/m, m being the reduced mass. */
+ * at s = -d0.(d1 - d0)/|d1 - d0|^2, at the distance r, and overlap for the time T = 2 h sqrt(L^2 - r^2)/|d1 - d0|, by
+ * at most 1 - r/L of L. That changes the relative velocity by hertz_impulse/m, m being the reduced mass. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "contact.h"
+#include "hertz.h"
 
 /** Of pair k of a list. */
 static double missed_by(const vti_contacts *list, int64_t k, const struct effect_way *w)
@@ -31,8 +31,8 @@ static double missed_by(const vti_contacts *list, int64_t k, const struct effect
     if (r2 >= L2 || !(time < w->gap * w->h)) /* none, or forces have been taken within it */
         return 0.0;
     const double overlap = 1.0 - sqrt(r2) / length;
-    const double force = vti_contacts_stiffness(list, k) / length * overlap * sqrt(overlap);
-    return 0.589 * force * time * (1.0 / m->p[i * m->stride] + 1.0 / m->p[j * m->stride]);
+    return hertz_impulse(vti_contacts_stiffness(list, k), length, overlap, time) *
+           (1.0 / m->p[i * m->stride] + 1.0 / m->p[j * m->stride]);
 }
 
 /* ---- pairs that come from far and go far ------------------------------------------------------------------------- */

@@ -6,8 +6,8 @@
  * ends,
  *     g(s) = g0 + r0 s + b s^2 + a s^3,      b = 3 (g1 - g0) - 2 r0 - r1,      a = r0 + r1 - 2 (g1 - g0),
  * exact for free flight in a field. It is least at s = -r0/(b + c), c = sqrt(b^2 - 3 a r0), where g'' = 2 c. Where that
- * is -delta < 0, the touch lasts T = 2 h sqrt(delta/c), and with F = K/L (delta/L)^{3/2} at its deepest, L being the
- * radius, it changes the velocity by (3 pi/16) F T/m, as contact_missed.c has it. */
+ * is -delta < 0, the touch lasts T = 2 h sqrt(delta/c), and changes the velocity by hertz_impulse/m. */
+#include "hertz.h"
 #include "wall.h"
 
 /** Gap between the surface of body i and wall w, of an x where the wall is now, and its rate. */
@@ -39,10 +39,10 @@ static double missed_by(const vti_walls *walls, int64_t w, int64_t i, const stru
         return 0.0;
     const double b = 3.0 * (g1 - g0) - 2.0 * r0 - r1, a = r0 + r1 - 2.0 * (g1 - g0), c = sqrt(b * b - 3.0 * a * r0);
     const double s = -r0 / (b + c), depth = -(g0 + s * (r0 + s * (b + s * a)));
-    const double time = 2.0 * h * sqrt(depth / c), share = depth / radius;
+    const double time = 2.0 * h * sqrt(depth / c);
     if (!(depth > 0.0 && time < way->gap * h)) /* none, or forces have been taken within it */
         return 0.0;
-    return 0.589 * vti_walls_stiffness(walls, w, i) / radius * share * sqrt(share) * time /
+    return hertz_impulse(vti_walls_stiffness(walls, w, i), radius, depth / radius, time) /
            now->mass.p[i * now->mass.stride];
 }
 
