@@ -107,9 +107,9 @@ void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i)
     turn_of(&drift, b)(&drift, b, i, i + 1);
 }
 
-void vti_move_turn_by(const double u[3], const vti_bodies *b, int64_t i)
+void vti_move_turn_by(int law, const double u[3], const vti_bodies *b, int64_t i)
 {
-    const struct increment d = increment(VTI_LAW_EXACT9, u);
+    const struct increment d = increment(law, u);
     if (vti_has(&b->alpha))
         turn_alpha(d, 1.0, u, &b->alpha, i);
     else

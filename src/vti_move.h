@@ -35,8 +35,8 @@ int vti_drift_by(int law, int frame, int rotor, double t, const vti_bodies *b, v
 /** Turns one body by the drift: what the kernels leave out. */
 void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i);
 
-/** Turns one body by the vector u in space, to order 9 in it. */
-void vti_move_turn_by(const double u[3], const vti_bodies *b, int64_t i);
+/** Turns one body by the vector u in space. */
+void vti_move_turn_by(int law, const double u[3], const vti_bodies *b, int64_t i);
 
 /* ---- bodies with moments (vti_rotor.c) --------------------------------------------------------------------------- */
 

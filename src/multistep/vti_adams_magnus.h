@@ -13,6 +13,13 @@
 /** Numbers of a body. */
 enum { ADAMS_CORRECTION = 4, ADAMS_PREDICTION = 16 };
 
+/** By which law they turn. A correction is of order K + 2 in h: its cube, which Cayley's law errs by, is of order
+ *  3 K + 6. */
+VTI_INLINE int adams_law(int64_t each)
+{
+    return each == ADAMS_CORRECTION ? VTI_LAW_CAYLEY : VTI_LAW_EXACT9;
+}
+
 /** Where the numbers of the bodies of the lanes begin, of n bodies; lanes that are left over have the last one. */
 VTI_INLINE void adams_places(int64_t n, int64_t stride, int64_t at[WIDTH])
 {

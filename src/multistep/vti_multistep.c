@@ -7,10 +7,12 @@
  *               R_p = R turned by the Magnus vector of w(s) = w + h sum G_j(s) N^j b
  *     correct   D = f_{n+1} - sum_{j<K} N^j f_n, f_{n+1} at the predicted state
  *               v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b,  R = R(c h^2 d_K D_b) R_p,
- *               g = g_K + u
+ *               g = g_K + u, R(r) by Cayley's law, as r is small
  *
  * With u not 0 the last order is given for a larger reach. With c = 0 positions and attitudes stay where they were
  * predicted, which is where the forces are from: AN(1, 0) is velocity Verlet, AN(2, 0) Beeman's method. */
+#define VTI_WIDTH 1 /* what is done here is done body by body */
+
 #include <string.h>
 
 #include "vti_adams_kernels.h"
@@ -122,7 +124,7 @@ static void turn_all(const struct vti_move_kernels *const *k, const double *by, 
         lanes theta[3];
         adams_theta(by + each * (i - begin), each, 1, theta);
         const double one[3] = {lanes_get(theta[0], 0), lanes_get(theta[1], 0), lanes_get(theta[2], 0)};
-        vti_move_turn_by(one, b, i);
+        vti_move_turn_by(adams_law(each), one, b, i);
     }
 }
 
@@ -140,6 +142,8 @@ static void in_tiles(int corrects, const vti_multistep *m, double h, const vti_p
         const int64_t end = last - begin < TILE ? last : begin + TILE;
         for (const struct vti_move_kernels *const *k = widest; *k != NULL && i < end; ++k)
             i = (corrects ? (*k)->correct : (*k)->predict)(m, h, past, b, i, end, turn + each * (i - begin));
+        if (i < end) /* compiled for eight lanes, the last kernels too take two bodies at once */
+            i = (corrects ? adams_correct : adams_predict)(m, h, past, b, i, end, turn + each * (i - begin));
         if (turns)
             turn_all(widest, turn, each, b, begin, end);
     }

@@ -1,29 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A digest of the core's bits: steppers on a scene of every effect in every storage, each effect alone, measures,
- * algebra.
+ * A digest of the core's bits: steppers on a scene of every effect in every storage, with dissipation too, of bodies of
+ * three moments and by multistep methods; each effect alone, measures, algebra.
  *
  *     digest              one line "name hash" for each
  *     digest --numbers    the numbers at the end of each stepper's run, for machines whose bits have to differ */
-#include "digest.h"
+#include "digest_more.h"
 
 enum { STEPS = 192, STATES = 64 };
 static const double H = 1.0 / 64;
 static int numbers;
-
-static void say(const char *what, const char *which, uint64_t hash)
-{
-    if (!numbers)
-        printf("%s %s %016" PRIx64 "\n", what, which, hash);
-}
-
-static void must(int status, const char *what)
-{
-    if (status == VTI_OK)
-        return;
-    fprintf(stderr, "digest: %s: %s\n", what, vti_status_text(status));
-    exit(1);
-}
 
 /* ---- steppers ---------------------------------------------------------------------------------------------------- */
 
@@ -62,16 +48,6 @@ static void step(const struct play *p, const vti_bodies *b, const vti_bodies *pr
     must(vti_step_finish(p->method, H, b), "vti_step_finish");
 }
 
-static void add_state(uint64_t *hash, const scene *s)
-{
-    hash_add(hash, s->x[0], 3 * BODIES);
-    hash_add(hash, s->v[0], 3 * BODIES);
-    hash_add(hash, s->alpha[0], 3 * BODIES);
-    hash_add(hash, s->quat[0], 4 * BODIES);
-    hash_add(hash, s->omega[0], 3 * BODIES);
-    hash_add(hash, s->low[0][0], 4 * 3 * BODIES);
-}
-
 static void print_state(const struct play *p, const vti_bodies *b)
 {
     for (int i = 0; numbers && i < BODIES; ++i)
@@ -106,7 +82,8 @@ static void run(const vti_stepper *method)
         add_state(&hash, &p.here);
         print_state(&p, &b);
     }
-    say("stepper", method->name, hash);
+    if (!numbers)
+        say("stepper", method->name, hash);
 }
 
 /* ---- effects ----------------------------------------------------------------------------------------------------- */
@@ -264,6 +241,15 @@ int main(int argc, char **argv)
         run(vti_stepper_at(i));
     if (numbers)
         return 0;
+    for (int64_t i = 0; i < vti_stepper_count(); ++i)
+        if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE && vti_stepper_at(i)->probe == NULL)
+            tops(vti_stepper_at(i), H, STEPS / 2);
+    for (int64_t i = 0; i < vti_multistep_count(); ++i)
+        multistep(vti_multistep_at(i), H / 2, STEPS);
+    for (int general = 0; general < 2; ++general) {
+        dissipation("vti2", general, H, STEPS);
+        dissipation("vti3", general, H, STEPS);
+    }
     bonds();
     others();
     measures();

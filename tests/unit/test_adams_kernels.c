@@ -192,7 +192,7 @@ static vti_bodies attitudes_in(int kept, double *p)
     return b;
 }
 
-/** Turns body i by what is left of it. */
+/** Turns body i by what is left of it: of a prediction to order 9, of a correction by Cayley's law. */
 static void turn_one(const double *by, int64_t each, const vti_bodies *b, int64_t i)
 {
     double a[4][3], theta[3];
@@ -200,7 +200,7 @@ static void turn_one(const double *by, int64_t each, const vti_bodies *b, int64_
         memcpy(a[k], by + 4 * k + 1, sizeof a[k]);
     if (each == PREDICTED)
         magnus(a, theta);
-    vti_move_turn_by(each == PREDICTED ? theta : a[0], b, i);
+    vti_move_turn_by(each == PREDICTED ? VTI_LAW_EXACT9 : VTI_LAW_CAYLEY, each == PREDICTED ? theta : a[0], b, i);
 }
 
 /** Turns of any size, of all numbers of bodies, among them such that only single bodies can make. */
@@ -226,20 +226,25 @@ static void turn_alike(const struct vti_move_kernels *kernels, int64_t each)
     }
 }
 
-/** A turn about z by s = 0.2, x = s/2: the fraction for tan(x) errs by x^9/(3^2 5^2 7^2 9), 1e-14. */
+/** A turn about z by s = 0.2, x = s/2: the fraction for tan(x) errs by x^9/(3^2 5^2 7^2 9), 1e-14; by Cayley's law it
+ *  is one by 2 atan(0.1). */
 TEST(one_turn)
 {
-    double alpha[3] = {0.0, 0.0, 0.0}, quat[4] = {0.0, 0.0, 0.0, 1.0};
     const double u[3] = {0.0, 0.0, 0.2}, tolerance = 1e-14 + 8.0 * DBL_EPSILON;
-    vti_bodies b = vti_bodies_none(1), q = vti_bodies_none(1);
-    b.alpha = vti_view_packed(alpha);
-    for (int k = 0; k < 4; ++k)
-        q.quat.xyzw[k] = quat + k;
-    vti_move_turn_by(u, &b, 0);
-    vti_move_turn_by(u, &q, 0);
-    assert_close(0.5 * alpha[2], tan(0.1), tolerance);
-    assert_close(quat[2], sin(0.1), tolerance);
-    assert_close(quat[3], cos(0.1), tolerance);
+    for (int cayley = 0; cayley < 2; ++cayley) {
+        const int law = cayley ? VTI_LAW_CAYLEY : VTI_LAW_EXACT9;
+        const double half = cayley ? atan(0.1) : 0.1;
+        double alpha[3] = {0.0, 0.0, 0.0}, quat[4] = {0.0, 0.0, 0.0, 1.0};
+        vti_bodies b = vti_bodies_none(1), q = vti_bodies_none(1);
+        b.alpha = vti_view_packed(alpha);
+        for (int k = 0; k < 4; ++k)
+            q.quat.xyzw[k] = quat + k;
+        vti_move_turn_by(law, u, &b, 0);
+        vti_move_turn_by(law, u, &q, 0);
+        assert_close(0.5 * alpha[2], tan(half), tolerance);
+        assert_close(quat[2], sin(half), tolerance);
+        assert_close(quat[3], cos(half), tolerance);
+    }
 }
 
 /* ---- whole steps ------------------------------------------------------------------------------------------------- */
