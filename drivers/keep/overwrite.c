@@ -257,15 +257,16 @@ int inputs_of(const char *path, const struct scene *scene, struct input *list)
     return n;
 }
 
-int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
-                    int inputs_count, const struct kept *kept, int force, struct message *message)
+int overwrite_check(const struct overwrite *o, struct message *message)
 {
-    if (check_kept(folder, kept->name, inputs, inputs_count, message) != 0)
+    const char *const folder = o->folder;
+    if (check_kept(folder, o->kept.name, o->inputs, o->inputs_count, message) != 0)
         return -1;
-    for (int k = 0; k < outputs_count; ++k)
-        if (check_inputs(folder, outputs[k].name, inputs, inputs_count, message) != 0 ||
-            check_others(folder, outputs, k, message) != 0 || check_there(folder, &outputs[k], force, message) != 0 ||
-            check_part(folder, &outputs[k], kept->left, force, message) != 0)
+    for (int k = 0; k < o->outputs_count; ++k)
+        if (check_inputs(folder, o->outputs[k].name, o->inputs, o->inputs_count, message) != 0 ||
+            check_others(folder, o->outputs, k, message) != 0 ||
+            check_there(folder, &o->outputs[k], o->force, message) != 0 ||
+            check_part(folder, &o->outputs[k], o->kept.left, o->force, message) != 0)
             return -1;
     return 0;
 }

@@ -39,11 +39,21 @@ int mark_is_ours(const char *path, const struct mark *mark);
 /** Whether the file at path, links followed, is write-protected: nobody may write to it, so that it is to stay. */
 int is_protected(const char *path);
 
+/** What a program would write and reads. */
+struct overwrite {
+    const char *folder;
+    const struct output *outputs;
+    int outputs_count;
+    const struct input *inputs;
+    int inputs_count;
+    struct kept kept;
+    int force;
+};
+
 /** Refuses outputs that are inputs or each other, whatever their names (device and inode count, links are followed),
  *  outputs whose folder is not there or not to be written to, and, but with force, files that are there and not ours,
- *  or write-protected, under the names that outputs have while they are written too. So it does where *kept, or what
+ *  or write-protected, under the names that outputs have while they are written too. So it does where kept, or what
  *  SQLite puts beside it, would be an input. Returns 0, or -1 with one line in *message. */
-int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
-                    int inputs_count, const struct kept *kept, int force, struct message *message);
+int overwrite_check(const struct overwrite *o, struct message *message);
 
 #endif

@@ -43,9 +43,14 @@ static const struct study_work *now; /* the one that is open */
 /** left says whether the journal is ours (overwrite.h). */
 static int check_files(const struct study_place *place, int left, struct message *message)
 {
-    const struct kept kept = {now->journal, left};
-    return overwrite_check(place->folder, now->files, now->files_count, place->inputs, place->inputs_count, &kept,
-                           place->force, message);
+    const struct overwrite overwrite = {.folder = place->folder,
+                                        .outputs = now->files,
+                                        .outputs_count = now->files_count,
+                                        .inputs = place->inputs,
+                                        .inputs_count = place->inputs_count,
+                                        .kept = {now->journal, left},
+                                        .force = place->force};
+    return overwrite_check(&overwrite, message);
 }
 
 int study_tasks_check(const struct study_place *place, struct message *message)

@@ -167,18 +167,22 @@ static int show(struct run *run, int64_t step)
     return 0;
 }
 
-static int refused(const struct model *model, int status, const vti_fault *fault, const vti_stepper *stepper, double h,
-                   int64_t from, int64_t step, struct message *message)
+static int refused(const struct run *run, int status, const vti_fault *fault, int64_t from, int64_t step,
+                   struct message *message)
 {
+    const struct model *const model = run->model;
+    const double h = run->h;
     char place[64];
     if (step > from)
         snprintf(place, sizeof place, "step %lld (t = %.10g)", (long long)step, (double)(step - 1) * h);
     else
         snprintf(place, sizeof place, "the start (t = %.10g)", (double)from * h);
     if (status == VTI_E_TOO_LARGE)
-        return message_set(message, "%s at h = %s: %s: body %lld has h|Omega| = %.6g; %s", stepper->name, NUMBER(h),
-                           place, (long long)model_number(model, fault->body), fault->value, vti_status_text(status));
-    return message_set(message, "%s at h = %s: %s: %s", stepper->name, NUMBER(h), place, model_text(model, status));
+        return message_set(message, "%s at h = %s: %s: body %lld has h|Omega| = %.6g; %s", run->stepper->name,
+                           NUMBER(h), place, (long long)model_number(model, fault->body), fault->value,
+                           vti_status_text(status));
+    return message_set(message, "%s at h = %s: %s: %s", run->stepper->name, NUMBER(h), place,
+                       model_text(model, status));
 }
 
 /** Forces at the bodies' positions; at t = 0 velocities also move to where the method keeps them. */
@@ -229,5 +233,5 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
         status = finish(&run);
     free(run.reader.memory);
     free(run.probe.memory);
-    return status != VTI_OK ? refused(model, status, &fault, stepper, h, from, step, message) : stopped;
+    return status != VTI_OK ? refused(&run, status, &fault, from, step, message) : stopped;
 }

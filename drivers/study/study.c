@@ -174,9 +174,10 @@ int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *
     MPI_Comm_rank(comm, &rank);
     int failed = study_prepare_checked(plan, rank, study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
-    if (failed == 0)
-        failed = reference_create(&study->model, study->t_end, study->interval, study_finest(plan), plan->memory, comm,
-                                  watch, &reference, message);
+    if (failed == 0) {
+        const struct reference_span span = study_span(study);
+        failed = reference_create(&study->model, &span, comm, watch, &reference, message);
+    }
     if (failed != 0)
         return failed;
     if (rank == 0)
@@ -209,9 +210,10 @@ int study_alone(const struct plan *plan, int (*poll)(void *self, int64_t work), 
     const struct watch watch = {see_alone, &alone};
     struct reference reference;
     int failed = study_prepare(plan, 0, study, message);
-    if (failed == 0)
-        failed = reference_alone(&study->model, study->t_end, study->interval, study_finest(plan), plan->memory, &watch,
-                                 &reference, message);
+    if (failed == 0) {
+        const struct reference_span span = study_span(study);
+        failed = reference_alone(&study->model, &span, &watch, &reference, message);
+    }
     if (failed != 0)
         return failed;
     note_reference(study, &reference);

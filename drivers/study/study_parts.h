@@ -11,7 +11,7 @@ int study_prepare(const struct plan *plan, int rank, struct study *study, struct
 /** With a look at the steppers: what one of them refuses is no failed run then, but refuses the study. */
 int study_prepare_checked(const struct plan *plan, int rank, struct study *study, struct message *message);
 
-/** The shortest step of the plan. */
-double study_finest(const struct plan *plan);
+/** How far the reference must reach. */
+struct reference_span study_span(const struct study *study);
 
 #endif

@@ -133,12 +133,13 @@ int study_prepare_checked(const struct plan *plan, int rank, struct study *study
     return study_prepare(plan, rank, study, message) != 0 ? -1 : check_steppers(plan, message);
 }
 
-double study_finest(const struct plan *plan)
+struct reference_span study_span(const struct study *study)
 {
-    double least = INFINITY;
+    const struct plan *plan = study->plan;
+    struct reference_span span = {study->t_end, study->interval, INFINITY, plan->memory};
     for (int64_t k = 0; k < plan->h_count; ++k)
-        least = fmin(least, plan->h[k]);
-    return least;
+        span.finest = fmin(span.finest, plan->h[k]);
+    return span;
 }
 
 int study_check(const struct plan *plan, struct message *message)
