@@ -4,7 +4,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <hdf5.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,21 +14,6 @@
 #include "left.h"
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
-
-static int is_hdf5(const char *path, const char *attribute)
-{
-    htri_t found = 0;
-    H5E_BEGIN_TRY
-    {
-        const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        if (file >= 0) {
-            found = H5Aexists(file, attribute);
-            H5Fclose(file);
-        }
-    }
-    H5E_END_TRY;
-    return found > 0;
-}
 
 static int is_text(const char *path, const struct mark *mark)
 {
@@ -70,8 +54,9 @@ int mark_is_ours(const char *path, const struct mark *mark)
     struct stat info;
     if (stat(path, &info) != 0 || !S_ISREG(info.st_mode))
         return 0;
-    return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path, mark->holds != NULL ? mark->holds : "vti_version")
-                                                      : is_text(path, mark));
+    return info.st_size == 0 ||
+           (mark->begins == NULL ? held_has(path, mark->holds != NULL ? mark->holds : "vti_version")
+                                 : is_text(path, mark));
 }
 
 int is_protected(const char *path)

@@ -3,7 +3,7 @@
 #ifndef VTI_OVERWRITE_H
 #define VTI_OVERWRITE_H
 
-#include "table.h"
+#include "tables.h"
 
 /** How a text file of ours is known: its first lines begin so, hold that, and lack the others. HDF5 files are known by
  *  the attribute of their root that holds names, vti_version without it. */

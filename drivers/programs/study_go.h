@@ -10,7 +10,7 @@
 #include "message.h"
 #include "overwrite.h"
 #include "survey.h"
-#include "table.h"
+#include "tables.h"
 
 /** Where it goes and whether one that was interrupted there goes on. */
 struct study_place {
