@@ -16,15 +16,12 @@ enum {
 
 /** Looked at inside pilots. work is counted, so that without a time the same runs are made on every machine. */
 struct purse {
-    double until;      /* seconds of purse_clock; INFINITY: any time */
+    double until;      /* seconds of clock_now; INFINITY: any time */
     double work, most; /* force evaluations and looks at the energy, times bodies: spent, and how many may be */
 };
 
 /** Force evaluations times bodies, about half a second of them, that pilots may always take. */
 enum { PURSE_LEAST = 4000000 };
-
-/** Seconds that pass on the wall. */
-double purse_clock(void);
 
 /* ---- pilot runs -------------------------------------------------------------------------------------------------- */
 

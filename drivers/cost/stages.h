@@ -9,7 +9,7 @@
 struct stages {
     struct search search;
     const struct advise_request *request;
-    double from;             /* when it began, purse_clock */
+    double from;             /* when it began, clock_now */
     double pace_from;        /* when the first pilot did */
     double goal;             /* the error at the end of the whole time */
     int active[ADVICE_MOST]; /* offers that the next stage goes on with */

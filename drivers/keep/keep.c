@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _POSIX_C_SOURCE 200809L
 #include "keep.h"
 
 #include <errno.h>
@@ -7,8 +6,8 @@
 #include <sqlite3.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "clock.h"
 #include "digest.h"
 #include "keep_parts.h"
 
@@ -158,16 +157,9 @@ int keep_has_gone(const struct keep *keep)
 
 /* ---- commits ----------------------------------------------------------------------------------------------------- */
 
-double keep_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 int keep_commit(struct keep *keep, struct message *message)
 {
-    const double begin = keep_now();
+    const double begin = clock_now();
     if (is_broken(keep))
         return fail_again(keep, message);
     if (keep_has_gone(keep))
@@ -176,11 +168,11 @@ int keep_commit(struct keep *keep, struct message *message)
         return -1;
     keep->holds = 1;
     keep->waits = 0;
-    keep->due = keep_now() + fmax(0.5, 20.0 * (keep_now() - begin));
+    keep->due = clock_now() + fmax(0.5, 20.0 * (clock_now() - begin));
     return 0;
 }
 
 int keep_settle(struct keep *keep, struct message *message)
 {
-    return keep->waits && keep_now() >= keep->due ? keep_commit(keep, message) : 0;
+    return keep->waits && clock_now() >= keep->due ? keep_commit(keep, message) : 0;
 }
