@@ -189,7 +189,7 @@ int main(int argc, char **argv)
             result = bench(only, &message);
     }
     if (asked != OPTIONS_WRONG && result == 0)
-        result = output_end(&message);
+        result = options_output_end(&message);
     if (message.text[0] != '\0')
         fprintf(stderr, "vti-bench: %s\n", message.text);
     return asked == OPTIONS_WRONG || result != 0;

@@ -245,6 +245,6 @@ void search_law_follow(const struct search *s, struct offer *o);
 /** The same from one run, of which that of the energy alone is known; s->measure is that. */
 void search_law_energy(const struct search *s, struct offer *o, const struct pilot *run);
 /** Force evaluations of the coarsest two runs that are worth making. */
-double law_evals(const struct search *s, const vti_stepper *stepper);
+double search_law_evals(const struct search *s, const vti_stepper *stepper);
 
 #endif

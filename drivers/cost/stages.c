@@ -100,7 +100,7 @@ static int make_offer(struct stages *g, int64_t k, double limit)
 }
 
 /** The advice of a whole search is a run that was made. Runs that were too dear to be made cost more than one that was
- *  (search.c), so that only a search whose TRIES have run out on errors that hardly fall leaves something to do here. */
+ *  (search.c), so that only a search whose TRIES have run out, on errors that hardly fall, leaves something to do. */
 static int make_best(struct stages *g)
 {
     int result = 0;

@@ -146,8 +146,8 @@ static void remove_earlier(const struct run_files *files, int kind)
     char name[264], path[FOLDER_PATH];
     struct message ignored = {""};
     name_of(files, kind, name);
-    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[kind]) &&
-        (files->force || !is_protected(path)))
+    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && overwrite_is_ours(path, &marks[kind]) &&
+        (files->force || !overwrite_is_protected(path)))
         unlink(path);
 }
 

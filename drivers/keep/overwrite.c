@@ -49,7 +49,7 @@ static int is_half(const char *path, const struct mark *mark)
     return strncmp(start, mark->begins, size < strlen(mark->begins) ? size : strlen(mark->begins)) == 0;
 }
 
-int mark_is_ours(const char *path, const struct mark *mark)
+int overwrite_is_ours(const char *path, const struct mark *mark)
 {
     struct stat info;
     if (stat(path, &info) != 0 || !S_ISREG(info.st_mode))
@@ -59,7 +59,7 @@ int mark_is_ours(const char *path, const struct mark *mark)
                                  : is_text(path, mark));
 }
 
-int is_protected(const char *path)
+int overwrite_is_protected(const char *path)
 {
     struct stat info;
     return stat(path, &info) == 0 && (info.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
@@ -168,7 +168,7 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
                            "replace it with --force",
                            path, strerror(errno));
-    if (!mark_is_ours(path, mark)) {
+    if (!overwrite_is_ours(path, mark)) {
         if (mark->begins == NULL && held_is(path))
             return message_set(message,
                                "%.600s: is there already and " HELD_TEXT
@@ -179,7 +179,7 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "it with --force",
                            path);
     }
-    if (is_protected(path))
+    if (overwrite_is_protected(path))
         return message_set(message,
                            "%.600s: is there already and is write-protected; choose another place with -o, or replace "
                            "it with --force",
@@ -229,7 +229,7 @@ static int check_part(const char *folder, const struct output *o, int left, int 
                        path, o->name);
 }
 
-int inputs_of(const char *path, const struct scene *scene, struct input *list)
+int overwrite_inputs(const char *path, const struct scene *scene, struct input *list)
 {
     const struct input file = {path, "the scene"};
     int n = 0;

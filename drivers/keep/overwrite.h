@@ -32,12 +32,12 @@ struct kept {
 };
 
 /** Writes them to list[INPUTS_OF_SCENE] and returns how many there are. */
-int inputs_of(const char *path, const struct scene *scene, struct input *list);
+int overwrite_inputs(const char *path, const struct scene *scene, struct input *list);
 
 /** Whether the file at path, links followed, is a result of ours; so is an empty one, in which nothing can be lost. */
-int mark_is_ours(const char *path, const struct mark *mark);
+int overwrite_is_ours(const char *path, const struct mark *mark);
 /** Whether the file at path, links followed, is write-protected: nobody may write to it, so that it is to stay. */
-int is_protected(const char *path);
+int overwrite_is_protected(const char *path);
 
 /** What a program would write and reads. */
 struct overwrite {

@@ -27,7 +27,7 @@ int study_agree(int failed, int rank, const struct message *message)
     if (all[0] == 1)
         return 0;
     if (all[1] == rank || (all[1] == ranks && rank == 0)) {
-        FILE *const file = run_signals_seen() != NULL ? last_words() : stderr;
+        FILE *const file = signals_seen() != NULL ? last_words() : stderr;
         progress_clear();
         fprintf(file, "vti-study: %s\n", all[1] == rank ? message->text : "out of memory; use fewer runs");
         fflush(file);
@@ -68,7 +68,7 @@ static int check_pictures(const struct study_place *place, struct message *messa
         return 0;
     if (folder_output(place->folder, "study.h5", 0, path, message) != 0)
         return -1;
-    const int ours = mark_is_ours(path, &hdf5);
+    const int ours = overwrite_is_ours(path, &hdf5);
     for (const char *const *name = place->pictures; *name != NULL && !ours; ++name) {
         if (folder_path(place->folder, *name, 0, path, message) != 0)
             return -1;
@@ -150,13 +150,13 @@ static void show(const char *what, int64_t done, int64_t all, double seconds)
 
 static int is_asked(void)
 {
-    return run_signals_seen() != NULL;
+    return signals_seen() != NULL;
 }
 
 struct study_watch study_watch_begin(void)
 {
     const struct study_watch watch = {show, is_asked};
-    run_signals_catch();
+    signals_catch();
     return watch;
 }
 

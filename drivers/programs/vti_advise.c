@@ -135,7 +135,7 @@ int main(int argc, char **argv)
     int count;
     method_admit();
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
-    int failed = asked == OPTIONS_WRONG ? -1 : asked == OPTIONS_TOLD ? output_end(&message) : 0;
+    int failed = asked == OPTIONS_WRONG ? -1 : asked == OPTIONS_TOLD ? options_output_end(&message) : 0;
     if (asked == OPTIONS_TOLD && failed == 0)
         return 0;
     if (failed == 0 && count == 0)
@@ -153,7 +153,7 @@ int main(int argc, char **argv)
     if (failed == 0)
         failed = give_advice(&scene, &message);
     if (failed == 0)
-        failed = output_end(&message);
+        failed = options_output_end(&message);
     if (failed != 0)
         fprintf(stderr, "vti-advise: %s\n", message.text);
     tables_destroy(&tables);

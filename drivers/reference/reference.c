@@ -104,7 +104,7 @@ static int integrate(struct sampled *s, const struct place *place, int ranks, st
 {
     int failed = 0;
     if (ranks > 1 && place->rank < 2)
-        failed = pair_integrate(s, place->comm, place->watch, message);
+        failed = sampled_pair_integrate(s, place->comm, place->watch, message);
     else if (ranks == 1) {
         failed = sampled_solve(s, NULL, place->watch, message);
         failed = failed == 0 ? sampled_compare(s, NULL, place->watch, message) : failed;

@@ -36,9 +36,9 @@ struct reference_span {
 };
 
 /** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm (and, at intervals, on rank 1 beside
- *  it) and shares it with all. What does not fit into span->bytes is integrated again when it is read (smooth.h); states
- *  at intervals take what they take. watch looks on there. Collective. Returns 0 on all ranks, or -1 on all with one
- *  line in *message, or WATCH_ASKED on all. */
+ *  it) and shares it with all. What does not fit into span->bytes is integrated again when it is read (smooth.h);
+ *  states at intervals take what they take. watch looks on there. Collective. Returns 0 on all ranks, or -1 on all with
+ *  one line in *message, or WATCH_ASKED on all. */
 int reference_create(struct model *model, const struct reference_span *span, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *reference, struct message *message);
 /** The same, with the same bits, by this rank for itself. */

@@ -80,7 +80,7 @@ static int poll_looks(void *self, int64_t step)
 {
     struct poll *p = self;
     const struct run *run = p->run;
-    p->looks = step == run->steps || run_signals_seen() != NULL || step % run->poll_every == 0;
+    p->looks = step == run->steps || signals_seen() != NULL || step % run->poll_every == 0;
     return p->looks;
 }
 
@@ -90,7 +90,7 @@ static int poll_wants(void *self)
     enum { SELDOM = 16 }; /* a step of one body takes as long as a few looks at the clock */
     struct poll *p = self;
     const struct run *run = p->run;
-    return run_signals_seen() != NULL ||
+    return signals_seen() != NULL ||
            (++p->asked % SELDOM == 0 && clock_now() - run->saved >= run->request->checkpoint_seconds);
 }
 
@@ -115,14 +115,14 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
         return 0;
     if (step == run->steps)
         return save(run, step, t, bodies);
-    if (run_signals_seen() != NULL && step == 0)
+    if (signals_seen() != NULL && step == 0)
         return stop(run, RUN_ENDED);
-    if (run_signals_seen() != NULL) {
+    if (signals_seen() != NULL) {
         if (save(run, step, t, bodies) != 0)
             return 1;
         message_set(run->message,
                     "%s: stopped at step %lld of %lld (t = %.10g); the same command with --resume goes on",
-                    run_signals_seen(), (long long)step, (long long)run->steps, t);
+                    signals_seen(), (long long)step, (long long)run->steps, t);
         return stop(run, RUN_STOPPED);
     }
     if (step % run->poll_every != 0)

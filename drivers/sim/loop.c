@@ -44,15 +44,15 @@ static int create_forks(struct run *run)
 {
     const int reads = run->stepper->lag != 0.0 ? OWN_V | OWN_OMEGA | OWN_SPIN : 0;
     const int probes = run->stepper->probe != NULL ? OWN_X | OWN_ALPHA : 0;
-    const int failed = fork_create(&run->reader, &run->model->bodies, reads);
-    return fork_create(&run->probe, &run->model->bodies, probes) | failed;
+    const int failed = state_fork_create(&run->reader, &run->model->bodies, reads);
+    return state_fork_create(&run->probe, &run->model->bodies, probes) | failed;
 }
 
 static const vti_bodies *read_bodies(struct run *run)
 {
     if (run->reader.own == 0)
         return &run->model->bodies;
-    fork_take(&run->reader, run->model->bodies);
+    state_fork_take(&run->reader, run->model->bodies);
     vti_step_sync(run->stepper, run->h, &run->reader.bodies);
     return &run->reader.bodies;
 }

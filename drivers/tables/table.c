@@ -58,7 +58,7 @@ char *table_list(const struct table_kind *kind, char *out, size_t size)
 {
     out[0] = '\0';
     for (int k = 0; table_column(kind, k) != NULL; ++k)
-        append(append(out, size, k > 0 ? ", " : ""), size, table_column(kind, k));
+        quote_append(quote_append(out, size, k > 0 ? ", " : ""), size, table_column(kind, k));
     return out;
 }
 
