@@ -9,6 +9,7 @@
 
 #include "bench.h"
 #include "message.h"
+#include "number.h"
 #include "options.h"
 
 static int64_t most = 1000000, rounds = 15, only;
@@ -60,12 +61,6 @@ static int64_t calls_of(const struct bench_case *c)
     return calls;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /** Half of the times lie between the first and the third quartile, q; the median of r times that scatter as Gauss has
  *  it errs by 0.93 (q3 - q1)/sqrt(r). */
 static int is_known(const struct timing *t, int64_t r)
@@ -73,13 +68,13 @@ static int is_known(const struct timing *t, int64_t r)
     enum { SHARE = 50 };
     double ns[MOST_ROUNDS];
     memcpy(ns, t->ns, (size_t)r * sizeof *ns);
-    qsort(ns, (size_t)r, sizeof *ns, ascending);
+    qsort(ns, (size_t)r, sizeof *ns, number_ascending);
     return 0.93 * (ns[3 * r / 4] - ns[r / 4]) * SHARE <= sqrt((double)r) * ns[r / 2];
 }
 
 static void print_row(const struct bench_case *c, int64_t n, int64_t r, struct timing *t)
 {
-    qsort(t->ns, (size_t)r, sizeof *t->ns, ascending);
+    qsort(t->ns, (size_t)r, sizeof *t->ns, number_ascending);
     printf("%s,%s,%lld,%lld,%.0f,%.5g,%.5g\n", c->what, c->layout, (long long)n, (long long)c->items, c->bytes,
            t->ns[r / 2], t->ns[0]);
     fflush(stdout);
@@ -194,7 +189,7 @@ int main(int argc, char **argv)
             result = bench(only, &message);
     }
     if (asked != OPTIONS_WRONG && result == 0)
-        result = output_end(&message);
+        result = options_output_end(&message);
     if (message.text[0] != '\0')
         fprintf(stderr, "vti-bench: %s\n", message.text);
     return asked == OPTIONS_WRONG || result != 0;

@@ -7,7 +7,7 @@
 
 #include "inertia.h"
 #include "kind.h"
-#include "table.h"
+#include "tables.h"
 
 /** Lines across a template whose spheres overlap: its mass and moments are good to 1e-4 (EQUATIONS 7.5). */
 enum { LINES = 256 };

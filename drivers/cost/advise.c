@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clock.h"
 #include "number.h"
 
 double advise_share(const struct scene *scene)
@@ -227,7 +228,7 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     struct stages g;
     memset(advice, 0, sizeof *advice);
     memset(&g, 0, sizeof g);
-    g.from = g.pace_from = purse_clock();
+    g.from = g.pace_from = clock_now();
     advice->target = g.goal = request->target;
     advice->budget = request->budget;
     advice->t_end = request->t_end;
@@ -244,7 +245,7 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     if (failed == 0) {
         struct search at_end = g.search;
         at_end.t_end = request->t_end;
-        g.pace_from = purse_clock();
+        g.pace_from = clock_now();
         /* kinks ask for a sixth of the stable step or so */
         stages_open_purse(&g,
                           (g.search.kinked ? 6.0 : 1.0) * (double)search_fewest(&at_end, vti_stepper_find("exact")));
@@ -255,6 +256,6 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
         sort_offers(&g);
     pilot_destroy(&g.search.solution);
     advice->work = g.search.purse.work;
-    advice->seconds = purse_clock() - g.from;
+    advice->seconds = clock_now() - g.from;
     return failed;
 }

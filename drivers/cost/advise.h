@@ -16,15 +16,12 @@ enum {
 
 /** Looked at inside pilots. work is counted, so that without a time the same runs are made on every machine. */
 struct purse {
-    double until;      /* seconds of purse_clock; INFINITY: any time */
+    double until;      /* seconds of clock_now; INFINITY: any time */
     double work, most; /* force evaluations and looks at the energy, times bodies: spent, and how many may be */
 };
 
 /** Force evaluations times bodies, about half a second of them, that pilots may always take. */
 enum { PURSE_LEAST = 4000000 };
-
-/** Seconds that pass on the wall. */
-double purse_clock(void);
 
 /* ---- pilot runs -------------------------------------------------------------------------------------------------- */
 
@@ -248,6 +245,6 @@ void search_law_follow(const struct search *s, struct offer *o);
 /** The same from one run, of which that of the energy alone is known; s->measure is that. */
 void search_law_energy(const struct search *s, struct offer *o, const struct pilot *run);
 /** Force evaluations of the coarsest two runs that are worth making. */
-double law_evals(const struct search *s, const vti_stepper *stepper);
+double search_law_evals(const struct search *s, const vti_stepper *stepper);
 
 #endif

@@ -45,9 +45,9 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
         if (anywhere(model_create(it->scene, model, message), comm) != 0)
             return -1;
         w->first[c] = cost_first_steps(it, model);
-        const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
-        const int failed = reference_create(model, it->t_end, interval, 0.0, w->plan->memory, comm, w->watch,
-                                            &w->references[c], message);
+        const struct reference_span span = {it->t_end, reference_is_smooth(model) ? 0.0 : it->t_end, 0.0,
+                                            w->plan->memory};
+        const int failed = reference_create(model, &span, comm, w->watch, &w->references[c], message);
         if (failed != 0)
             return failed;
         struct cost_facts *facts = &w->cost->facts[c];
@@ -66,8 +66,10 @@ static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self,
 {
     const struct work *w = self;
     const int64_t c = task / w->plan->methods_count, m = task % w->plan->methods_count;
-    cost_ladder_run(w->plan, &w->plan->cases[c], w->plan->methods[m], &w->models[c], w->first[c], &w->references[c],
-                    poll, poll_self, result);
+    const struct cost_descent descent = {w->plan,       &w->plan->cases[c], w->plan->methods[m],
+                                         &w->models[c], w->first[c],        &w->references[c],
+                                         poll,          poll_self};
+    cost_ladder_run(&descent, result);
 }
 
 static int task_done(void *self, int64_t task, int rank, const void *result)

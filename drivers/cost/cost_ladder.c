@@ -15,11 +15,10 @@ double cost_error(const struct race_result *run, int measure)
 }
 
 /** One run. It is kept, or counted as failed, or it is a first one without meaning. Returns its force evaluations. */
-static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, double h, double worst, int measure,
-                        struct reference *reference, struct cost_ladder *ladder)
+static int64_t one_rung(const struct cost_descent *d, double h, double worst, int measure, struct cost_ladder *ladder)
 {
     struct race_result *run = &ladder->runs[ladder->count];
-    race_measure(c->scene, method, h, c->t_end, reference, run);
+    race_measure(d->c->scene, d->method, h, d->c->t_end, d->reference, run);
     const int64_t evals = run->force_evals;
     if (run->failed) {
         ++ladder->failures;
@@ -32,12 +31,16 @@ static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, do
     return evals;
 }
 
-static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method, int measure,
-                        struct reference *reference, int (*poll)(void *self, int64_t work), void *poll_self,
-                        struct cost_ladder *ladder)
+/** Whether to go on to run k. */
+static int goes_on(const struct cost_descent *d, int64_t k)
 {
-    for (int64_t k = 0; k < plan->h_count && (poll == NULL || poll(poll_self, k) == 0); ++k)
-        one_rung(c, method, plan->h[k], INFINITY, measure, reference, ladder);
+    return d->poll == NULL || d->poll(d->poll_self, k) == 0;
+}
+
+static void given_steps(const struct cost_descent *d, int measure, struct cost_ladder *ladder)
+{
+    for (int64_t k = 0; k < d->plan->h_count && goes_on(d, k); ++k)
+        one_rung(d, d->plan->h[k], INFINITY, measure, ladder);
 }
 
 /** 1 if run k is no better than half of what run k - 4 was, which took a quarter of its steps. */
@@ -73,24 +76,22 @@ double cost_first_steps(const struct cost_case *c, struct model *model)
     return fmax(fewest, ceil(c->t_end / (coarser * stable.h)));
 }
 
-void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
-                     const struct model *model, double first, struct reference *reference,
-                     int (*poll)(void *self, int64_t work), void *poll_self, struct cost_ladder *ladder)
+void cost_ladder_run(const struct cost_descent *d, struct cost_ladder *ladder)
 {
-    const int measure = cost_main_measure(model);
-    const int64_t affordable =
-        COST_WORK / model->bodies.count < COST_EVALS ? COST_WORK / model->bodies.count : COST_EVALS;
-    const int64_t most = plan->most_evals > 0 ? plan->most_evals : affordable;
+    const int measure = cost_main_measure(d->model);
+    const int64_t of_bodies = COST_WORK / d->model->bodies.count;
+    const int64_t affordable = of_bodies < COST_EVALS ? of_bodies : COST_EVALS;
+    const int64_t most = d->plan->most_evals > 0 ? d->plan->most_evals : affordable;
     memset(ladder, 0, sizeof *ladder);
-    if (plan->h_count > 0) {
-        given_steps(plan, c, method, measure, reference, poll, poll_self, ladder);
+    if (d->plan->h_count > 0) {
+        given_steps(d, measure, ladder);
         return;
     }
     double evals_per_step = 1.0;
     for (int k = 0; ladder->count < COST_RUNGS && !is_finished(ladder, measure); ++k) {
-        const double steps = rint(first * plain_exp2(0.5 * k));
-        if (steps * fmax(evals_per_step, 1.0) > (double)most || (poll != NULL && poll(poll_self, k) != 0))
+        const double steps = rint(d->first * plain_exp2(0.5 * k));
+        if (steps * fmax(evals_per_step, 1.0) > (double)most || !goes_on(d, k))
             break;
-        evals_per_step = (double)one_rung(c, method, c->t_end / steps, 1.0, measure, reference, ladder) / steps;
+        evals_per_step = (double)one_rung(d, d->c->t_end / steps, 1.0, measure, ladder) / steps;
     }
 }

@@ -86,13 +86,23 @@ double cost_error(const struct race_result *run, int measure);
  *  alike. */
 double cost_first_steps(const struct cost_case *c, struct model *model);
 
+/** One method over one case. */
+struct cost_descent {
+    const struct cost_plan *plan;
+    const struct cost_case *c;
+    const vti_stepper *method;
+    const struct model *model; /* of the case, at t = 0 */
+    double first;              /* steps of the first run, where the plan has none: cost_first_steps */
+    struct reference *reference;
+    /** Called between runs with the number of the next, and ends the ladder if it returns non-zero; may be NULL. */
+    int (*poll)(void *self, int64_t work);
+    void *poll_self;
+};
+
 /** Goes down the plan's steps. Without any: from that first run on, each next one with sqrt(2) times as many steps. It
  *  ends when the error is below 3e-11, the next run would take more force evaluations than allowed, or the error, below
  *  1e-6, is rounding: over the last factor of four in steps it has not even halved, twice in a row. Runs at the start
- *  whose error is above 1 say nothing and are left out. model is of the case, at t = 0. poll (may be NULL) is called
- *  between runs and ends the ladder if it returns non-zero. */
-void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
-                     const struct model *model, double first, struct reference *reference,
-                     int (*poll)(void *self, int64_t work), void *poll_self, struct cost_ladder *ladder);
+ *  whose error is above 1 say nothing and are left out. */
+void cost_ladder_run(const struct cost_descent *d, struct cost_ladder *ladder);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "loop.h"
 #include "number.h"
-#include "table.h"
+#include "tables.h"
 
 /* ---- comma lists ------------------------------------------------------------------------------------------------- */
 

@@ -52,7 +52,7 @@ static int has_room(const struct stages *g, const vti_stepper *stepper, const st
     then.search.t_end = g->search.advice->t_end;
     open_purse_for(&then, known, guess);
     const double left = stages_work_left(&then, share_for(known, guess));
-    return isfinite(left) && law_evals(&then.search, stepper) * (double)then.search.bodies <= left;
+    return isfinite(left) && search_law_evals(&then.search, stepper) * (double)then.search.bodies <= left;
 }
 
 /** The offer that two runs may tell of next, by the least evaluations: of these runs, or, of those for which there is
@@ -67,7 +67,7 @@ static int64_t next_law(const struct stages *g, const struct offer *known, doubl
     for (int64_t k = 0; k < a->count; ++k) {
         const vti_stepper *stepper = a->offers[k].stepper;
         /* those of the paper would tell what exact does */
-        const double least = known != NULL ? guess_evals(&whole, stepper, known) : law_evals(&whole, stepper),
+        const double least = known != NULL ? guess_evals(&whole, stepper, known) : search_law_evals(&whole, stepper),
                      needs = least * (strcmp(method_kind(stepper), "paper") == 0 ? 1e6 : 1.0);
         if (g->active[k] && method_rival(stepper) == NULL && needs < *evals &&
             (known == NULL || has_room(g, stepper, known, least))) {
@@ -86,7 +86,7 @@ static int make_law(struct stages *g, int64_t k, double share, double part, doub
     struct offer found = offers_none(s->advice->offers[k].stepper);
     s->t_end = s->advice->t_end;
     s->target = g->goal;
-    const double work = stages_work_left(g, share), least = law_evals(s, found.stepper) * (double)s->bodies;
+    const double work = stages_work_left(g, share), least = search_law_evals(s, found.stepper) * (double)s->bodies;
     g->part = fmin(1.0, work / least);
     s->t_end *= g->part;
     s->target /= offers_growth(s, found.stepper, s->measure);
@@ -125,12 +125,12 @@ static int make_law_again(struct stages *g)
         return 0;
     const struct offer *o = &s->advice->offers[best];
     if (o->source == OFFER_SHORTER) { /* the pace was better than it looked: over more of the time, once */
-        const double longer = stages_work_left(g, share) / (law_evals(s, o->stepper) * (double)s->bodies);
+        const double longer = stages_work_left(g, share) / (search_law_evals(s, o->stepper) * (double)s->bodies);
         return longer < worth * g->part ? 0 : make_law(g, best, share, 1.0, 1.0);
     }
     const double fewest = (double)search_fewest(s, o->stepper), wanted = fmax(0.5 * (double)o->steps / fewest, 1.0),
                  seen = wanted / fmax(o->more, 1.0),
-                 may = stages_work_left(g, share) / (law_evals(s, o->stepper) * (double)s->bodies);
+                 may = stages_work_left(g, share) / (search_law_evals(s, o->stepper) * (double)s->bodies);
     return fmin(wanted, may) < worth * seen || may < 1.0 ? 0 : make_law(g, best, share, 1.0, wanted);
 }
 

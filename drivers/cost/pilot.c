@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _POSIX_C_SOURCE 200809L
 #include "advise.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "clock.h"
 #include "number.h"
 #include "random.h"
 
@@ -16,17 +15,10 @@ enum { TIMED = 16, FIRST = 4096, RARELY = 1024, LOOKS = 64 };
 
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
-double purse_clock(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /** Whether so much more work, on its way, leaves nothing. */
 static int purse_is_empty(const struct purse *purse, double more)
 {
-    return purse->work + more >= purse->most || (isfinite(purse->until) && purse_clock() >= purse->until);
+    return purse->work + more >= purse->most || (isfinite(purse->until) && clock_now() >= purse->until);
 }
 
 /* ---- on the way -------------------------------------------------------------------------------------------------- */
@@ -77,7 +69,7 @@ static int see_mark(void *self, int64_t step, double t, const vti_bodies *bodies
 {
     struct flight *f = self;
     struct pilot *pilot = f->pilot;
-    const double from = trial_clock();
+    const double from = clock_of_thread();
     const int64_t n = bodies->count;
     int finite = 1;
     (void)t;
@@ -99,7 +91,7 @@ static int see_mark(void *self, int64_t step, double t, const vti_bodies *bodies
         f->step = step;
         pilot->parted = (int)mark + 1;
     }
-    f->looking += trial_clock() - from;
+    f->looking += clock_of_thread() - from;
     return finite ? pilot->parted > 0 : message_set(&pilot->message, "the bodies leave the range of numbers");
 }
 
@@ -110,7 +102,7 @@ static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
     struct pilot *pilot = f->pilot;
     struct model *model = &f->run.model;
     const int timed = f->looks % (f->looks < FIRST ? TIMED : RARELY) == 0;
-    const double from = timed ? trial_clock() : 0.0;
+    const double from = timed ? clock_of_thread() : 0.0;
     const double energy = model_energy(model, bodies) + vti_booked(model->effects, model->effects_count);
     (void)t;
     ++f->looks;
@@ -120,7 +112,7 @@ static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
     pilot->energy_error = number_larger(pilot->energy_error, off);
     pilot->max_omega = fmax(pilot->max_omega, vti_max_turn(1.0, bodies));
     if (timed)
-        f->timed += fmax(trial_clock() - from - f->clock, 0.0);
+        f->timed += fmax(clock_of_thread() - from - f->clock, 0.0);
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clock.h"
 #include "number.h"
 
 /** Steps of h to t_end, of which h must be a whole fraction (to rounding). */
@@ -160,8 +161,8 @@ double race_clock_cost(void)
 {
     double least = INFINITY;
     for (int k = 0; k < 64; ++k) {
-        const double from = trial_clock();
-        least = fmin(least, trial_clock() - from);
+        const double from = clock_of_thread();
+        least = fmin(least, clock_of_thread() - from);
     }
     return least;
 }
@@ -194,19 +195,13 @@ double race_sample(const struct scene *scene, const vti_stepper *stepper, double
     return seconds / runs;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double race_median(double *value, int64_t n)
 {
     int64_t known = 0;
     for (int64_t k = 0; k < n; ++k)
         if (!isnan(value[k]))
             value[known++] = value[k];
-    qsort(value, (size_t)known, sizeof *value, ascending);
+    qsort(value, (size_t)known, sizeof *value, number_ascending);
     return known == 0 ? NAN : 0.5 * (value[(known - 1) / 2] + value[known / 2]);
 }
 

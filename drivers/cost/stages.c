@@ -4,12 +4,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "clock.h"
+
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
 /** In seconds where these are limited, else in work. */
 static double spent(const struct stages *g)
 {
-    return isfinite(g->search.purse.until) ? purse_clock() : g->search.purse.work;
+    return isfinite(g->search.purse.until) ? clock_now() : g->search.purse.work;
 }
 
 static double left(const struct stages *g)
@@ -39,7 +41,7 @@ double stages_work_left(const struct stages *g, double share)
     const struct purse *p = &g->search.purse;
     if (!isfinite(p->until))
         return share * left(g);
-    const double rate = p->work > 0.0 ? (purse_clock() - g->pace_from) / p->work : first_guess;
+    const double rate = p->work > 0.0 ? (clock_now() - g->pace_from) / p->work : first_guess;
     return share * left(g) / rate;
 }
 
@@ -52,7 +54,7 @@ static void time_again(struct search *s, struct offer *o)
     static const double blink = 5e5; /* evaluations of a body, a twentieth of a second or so */
     const double work = (double)o->force_evals * (double)s->bodies;
     struct message ignored;
-    for (int k = 0; k < TIMES && work < blink && purse_clock() < s->purse.until; ++k) {
+    for (int k = 0; k < TIMES && work < blink && clock_now() < s->purse.until; ++k) {
         const double seconds = race_sample(s->scene, o->stepper, o->h, s->t_end, &ignored);
         o->seconds = k == 0 && seconds > 0.0 ? seconds : fmin(o->seconds, seconds);
         s->purse.work += work;
@@ -97,7 +99,8 @@ static int make_offer(struct stages *g, int64_t k, double limit)
     return 0;
 }
 
-/** The advice of a whole search is a run that was made. */
+/** The advice of a whole search is a run that was made. Runs that were too dear to be made cost more than one that was
+ *  (search.c), so that only a search whose TRIES have run out, on errors that hardly fall, leaves something to do. */
 static int make_best(struct stages *g)
 {
     int result = 0;

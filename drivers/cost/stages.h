@@ -9,7 +9,7 @@
 struct stages {
     struct search search;
     const struct advise_request *request;
-    double from;             /* when it began, purse_clock */
+    double from;             /* when it began, clock_now */
     double pace_from;        /* when the first pilot did */
     double goal;             /* the error at the end of the whole time */
     int active[ADVICE_MOST]; /* offers that the next stage goes on with */
@@ -57,8 +57,8 @@ int stages_go(struct stages *g);
 
 /** Whether that is so: a search over the whole time takes some dozen runs of the stepper of the solution. */
 int laws_are_due(const struct stages *g);
-/** As many steppers as the purse has two runs for (law.c). The first takes what it needs; it tells what the run will be
- *  like, and with it how much the purse holds. Returns 0, -1 or ADVISE_SPENT. */
+/** As many steppers as the purse has two runs for (search_law.c). The first takes what it needs; it tells what the run
+ *  will be like, and with it how much the purse holds. Returns 0, -1 or ADVISE_SPENT. */
 int laws_go(struct stages *g);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "kind.h"
 #include "model.h"
+#include "plain.h"
 #include "scene_reader.h"
 
 enum { ON_BODIES, ON_SPHERES };
@@ -155,7 +156,7 @@ static vti_effect draft(const void *settings, const struct table *table)
 static int fill_each(struct drag_self *self, const struct drag_settings *settings, const struct model *model,
                      struct message *message)
 {
-    static const double pi = 3.14159265358979323846;
+    static const double pi = PLAIN_PI;
     const int64_t n = model_spheres(model)->count;
     const int slow = settings->viscosity > 0.0, fast = settings->density > 0.0;
     if (!slow && !fast)

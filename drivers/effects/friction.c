@@ -8,7 +8,7 @@
 #include "model.h"
 #include "number.h"
 #include "scene_reader.h"
-#include "table.h"
+#include "tables.h"
 
 struct friction_settings {
     double sliding, stiffness, poisson, rolling, rolling_stiffness, twisting, twisting_stiffness;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "kinds.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "kind.h"
@@ -75,35 +74,6 @@ int kinds_has(const struct effect_kind *kind, const union effect_settings *all, 
            : trait == EFFECT_NEAR       ? kind->near
            : trait == EFFECT_ON_SPHERES ? kind->spheres || (kind->on_spheres != NULL && kind->on_spheres(all))
                                         : !draft.smooth;
-}
-
-void *effect_memory(struct effect *e, size_t bytes, struct message *message)
-{
-    e->self = calloc(1, bytes);
-    if (e->self == NULL)
-        message_set(message, "%s: out of memory", e->kind->key);
-    return e->self;
-}
-
-int effect_walls_match(const struct model *model, const char *path, const struct scene_numbers *numbers,
-                       const vti_walls *walls, struct message *message)
-{
-    const int64_t count = walls != NULL ? walls->count + walls->cylinders : 0;
-    if (numbers->count == 0 || numbers->count == count)
-        return 0;
-    return message_set(message, "%s: %s: %lld numbers for %lld walls; give one for each plane, then for each cylinder",
-                       model->scene->name, path, (long long)numbers->count, (long long)count);
-}
-
-void *effect_part_room(struct effect_part *part, int64_t n)
-{
-    const size_t bytes = (size_t)(n > 0 ? n : 1) * sizeof(double);
-    if (bytes > part->room) {
-        free(part->memory);
-        part->memory = malloc(bytes);
-        part->room = part->memory != NULL ? bytes : 0;
-    }
-    return part->memory;
 }
 
 /* ---- what must not be forgotten ---------------------------------------------------------------------------------- */

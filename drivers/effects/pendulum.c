@@ -3,7 +3,7 @@
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
-#include "table.h"
+#include "tables.h"
 #include "wide.h"
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */

@@ -100,7 +100,7 @@ static const struct {
 
 enum { ALL = sizeof all / sizeof all[0] };
 
-int fields_read(const char *text, int *fields, struct message *message)
+int record_fields_read(const char *text, int *fields, struct message *message)
 {
     *fields = 0;
     for (const char *at = text; at != NULL; at = strchr(at, ',')) {
@@ -118,7 +118,7 @@ int fields_read(const char *text, int *fields, struct message *message)
     return 0;
 }
 
-int fields_check(int fields, const struct model *model, struct message *message)
+int record_fields_check(int fields, const struct model *model, struct message *message)
 {
     for (int64_t e = 0; e < model->effects_count && (fields & FIELD_LOADS) != 0; ++e)
         if (model->effects[e].carry != NULL || model->effects[e].rupture != NULL)

@@ -63,10 +63,10 @@ int frame_loads(struct model *model, const struct frame_layout *layout, const do
 enum { FIELD_FORCE = 1, FIELD_MOMENT = 2, FIELD_LOST = 4, FIELD_LOADS = FIELD_FORCE | FIELD_MOMENT };
 
 /** "force,moment", each once or more. Returns 0, or -1 with one line in *message. */
-int fields_read(const char *text, int *fields, struct message *message);
+int record_fields_read(const char *text, int *fields, struct message *message);
 /** Whether the model has them all: a force if an effect gives one, a moment alike, losses if an effect books some.
  *  Returns 0, or -1 with one line in *message. */
-int fields_check(int fields, const struct model *model, struct message *message);
+int record_fields_check(int fields, const struct model *model, struct message *message);
 
 /* ---- the record ------------------------------------------------------------------------------------------------- */
 

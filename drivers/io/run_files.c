@@ -102,9 +102,14 @@ int run_files_check(const struct run_files *files, struct message *message)
         if (wanted[kind])
             outputs[count++] = (struct output){name[kind], marks[kind]};
     }
-    const struct kept kept = {files->run, files->left};
-    return overwrite_check(files->folder, outputs, count, files->inputs, files->inputs_count, &kept, files->force,
-                           message);
+    const struct overwrite overwrite = {.folder = files->folder,
+                                        .outputs = outputs,
+                                        .outputs_count = count,
+                                        .inputs = files->inputs,
+                                        .inputs_count = files->inputs_count,
+                                        .kept = {files->run, files->left},
+                                        .force = files->force};
+    return overwrite_check(&overwrite, message);
 }
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
@@ -141,8 +146,8 @@ static void remove_earlier(const struct run_files *files, int kind)
     char name[264], path[FOLDER_PATH];
     struct message ignored = {""};
     name_of(files, kind, name);
-    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[kind]) &&
-        (files->force || !is_protected(path)))
+    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && overwrite_is_ours(path, &marks[kind]) &&
+        (files->force || !overwrite_is_protected(path)))
         unlink(path);
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "checkpoint.h"
 #include "hdf5_sink.h"
 #include "quote.h"
 
@@ -123,7 +124,7 @@ static void scenery_write(const struct model *model, struct hdf5_sink *file)
         touching |= e->kind->touching != NULL ? e->kind->touching(e) : 0;
         if (planes == NULL || walls_write(e, file) == 0)
             continue;
-        append(append(all, sizeof all, all[0] != '\0' ? "," : ""), sizeof all, planes->name);
+        quote_append(quote_append(all, sizeof all, all[0] != '\0' ? "," : ""), sizeof all, planes->name);
     }
     hdf5_text(file, "planes", all);
     hdf5_attribute(file, "touching", H5T_NATIVE_INT64, 1, &touching);

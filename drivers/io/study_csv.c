@@ -71,24 +71,25 @@ void study_csv_write(const void *what, FILE *file)
     }
 }
 
-void timing_csv_header(FILE *file)
+void study_csv_timing_header(FILE *file)
 {
     fputs("scene,stepper,h,seconds,ns_per_step,rank", file);
 }
 
-void timing_csv_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file)
+void study_csv_timing_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file)
 {
     fprintf(file, "%s,%s,%s,%.9g,%.6g,%d", scene, trial->stepper->name, NUMBER(trial->h), seconds,
             trial->steps > 0 ? 1e9 * seconds / (double)trial->steps : NAN, rank);
 }
 
-void timing_csv_write(const void *what, FILE *file)
+void study_csv_timing_write(const void *what, FILE *file)
 {
     const struct study *study = what;
-    timing_csv_header(file);
+    study_csv_timing_header(file);
     fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {
-        timing_csv_row(study->plan->scene->name, &study->trials[r], study->outcomes[r].seconds, study->ranks[r], file);
+        study_csv_timing_row(study->plan->scene->name, &study->trials[r], study->outcomes[r].seconds, study->ranks[r],
+                             file);
         fputc('\n', file);
     }
 }

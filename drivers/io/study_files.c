@@ -22,6 +22,6 @@ int study_files_write(const struct study *study, const char *folder, struct mess
     if (failed == 0)
         failed = folder_write(folder, names[1], study_csv_write, study, message);
     if (failed == 0)
-        failed = folder_write(folder, names[2], timing_csv_write, study, message);
+        failed = folder_write(folder, names[2], study_csv_timing_write, study, message);
     return folder_finish(folder, names, STUDY_FILES, failed, message);
 }

@@ -30,7 +30,7 @@ int study_hdf5_write(const struct study *study, const char *path, struct message
 /** study.csv of a struct study: one row per run in task order, 17 digits; nothing in it depends on clocks or ranks. */
 folder_writer study_csv_write;
 /** timing.csv of a struct study: seconds of every run with its measurements, and the rank that did it. */
-folder_writer timing_csv_write;
+folder_writer study_csv_timing_write;
 
 /** Of both the first line and a row of one run, for files with more columns behind; error: as outcome_errors names
  *  them. */
@@ -39,8 +39,8 @@ void study_csv_row(const char *scene, const struct trial *trial, int64_t force_e
                    const struct judgement *judgement, FILE *file);
 /** ",text", in quotes where commas or quotes are in it. */
 void study_csv_text(const char *text, FILE *file);
-void timing_csv_header(FILE *file);
-void timing_csv_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file);
+void study_csv_timing_header(FILE *file);
+void study_csv_timing_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file);
 
 /* ---- a cost study ----------------------------------------------------------------------------------------------- */
 

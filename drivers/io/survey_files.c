@@ -34,7 +34,7 @@ static int write_point(void *self, int64_t p, int rank, const struct survey_poin
         write_values(csv, p, csv->runs);
         study_csv_text(run->reason, csv->runs);
         fputc('\n', csv->runs);
-        timing_csv_row(scene, &trial, run->seconds, rank, csv->times);
+        study_csv_timing_row(scene, &trial, run->seconds, rank, csv->times);
         write_values(csv, p, csv->times);
         fputc('\n', csv->times);
         csv->counts->failed += run->failed;
@@ -47,7 +47,7 @@ static int write_point(void *self, int64_t p, int rank, const struct survey_poin
 static void write_header(const struct csv *csv)
 {
     study_csv_header(csv->runs);
-    timing_csv_header(csv->times);
+    study_csv_timing_header(csv->times);
     for (int k = 0; k < csv->plan->sweep->count; ++k) {
         fprintf(csv->runs, ",%s", csv->plan->sweep->axis[k].key);
         fprintf(csv->times, ",%s", csv->plan->sweep->axis[k].key);

@@ -9,6 +9,7 @@
 #include "held.h"
 #include "number.h"
 #include "quote.h"
+#include "scene.h"
 #include "table_csv.h"
 
 /** Writes "FILE: GROUP/COLUMN: TEXT". */
@@ -67,7 +68,7 @@ static int read_set(struct table *table, hid_t set, const char *name, const char
     if (rows > 0 && (H5Dget_space_status(set, &written) < 0 || written == H5D_SPACE_STATUS_NOT_ALLOCATED))
         return fail_column(table, name,
                            "holds no values, nothing has been written to it here; write them into this file", message);
-    if (rows > SCENE_BODIES_MAX || table_reserve(table, rows) != 0 || table_add(table, k) != 0)
+    if (rows > TABLE_ROWS_MAX || table_reserve(table, rows) != 0 || table_add(table, k) != 0)
         return fail_column(table, name, "out of memory; give fewer rows", message);
     table->rows = rows;
     if (rows > 0 && H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table->column[k]) < 0)

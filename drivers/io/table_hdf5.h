@@ -5,7 +5,7 @@
 #ifndef VTI_TABLE_HDF5_H
 #define VTI_TABLE_HDF5_H
 
-#include "table.h"
+#include "tables.h"
 
 /** Reads a group of the file at path, table_check included. Returns 0, or -1 with one line in *message and *table
  *  destroyed. */

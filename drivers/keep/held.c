@@ -31,3 +31,18 @@ int held_is(const char *path)
     H5E_END_TRY;
     return file < 0;
 }
+
+int held_has(const char *path, const char *attribute)
+{
+    htri_t found = 0;
+    H5E_BEGIN_TRY
+    {
+        const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        if (file >= 0) {
+            found = H5Aexists(file, attribute);
+            H5Fclose(file);
+        }
+    }
+    H5E_END_TRY;
+    return found > 0;
+}

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * HDF5 files that HDF5 does not open. */
+ * Files of HDF5 as they are found: whether HDF5 opens them, and whether they are of ours. */
 #ifndef VTI_HELD_H
 #define VTI_HELD_H
 
@@ -11,5 +11,8 @@ int held_begins(const char *path);
 
 /** Whether it does, and HDF5 does not open it: another program has it open for writing, or it is damaged. */
 int held_is(const char *path);
+
+/** Whether HDF5 opens it and it has the attribute, as files of ours do. */
+int held_has(const char *path, const char *attribute);
 
 #endif

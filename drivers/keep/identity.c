@@ -8,7 +8,7 @@
 #include "kind.h"
 #include "number.h"
 #include "scene_field.h"
-#include "table.h"
+#include "tables.h"
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 

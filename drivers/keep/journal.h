@@ -1,15 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The journal of a run: rows of its table, frames of its trajectory and a checkpoint, in OUT.run (keep.h). The output
- * is made from it when the run ends, so that a run that dies leaves all that it had recorded at its last checkpoint,
- * and the output of an earlier run is not touched before there is a new one. Rows and frames are two streams of
- * numbers, cut into pieces of one size. */
+ * The journal of a run: rows of its table, frames of its trajectory and a checkpoint (checkpoint.h), in OUT.run
+ * (keep.h). The output is made from it when the run ends, so that a run that dies leaves all that it had recorded at
+ * its last checkpoint, and the output of an earlier run is not touched before there is a new one. Rows and frames are
+ * two streams of numbers, cut into pieces of one size. */
 #ifndef VTI_JOURNAL_H
 #define VTI_JOURNAL_H
 
 #include "keep.h"
-#include "scene.h"
-#include "verdict.h"
 
 /** A stream of records of equal size. */
 struct journal_mark {
@@ -28,16 +26,6 @@ struct journal_file {
 struct journal {
     struct keep keep;
     struct journal_file rows, frames;
-};
-
-/** How far a run is. With it goes the state of the bodies and of the verdict so far, as more what else the stepper
- *  keeps (travel_state), and what the verdict's model does (model_memory_get). */
-struct checkpoint {
-    int64_t step;                       /* not yet recorded */
-    int64_t record_every, frames_every; /* steps between rows and between frames */
-    int64_t fields;                     /* FIELD_ of frames (record.h): --resume keeps them */
-    struct journal_mark rows, frames;
-    int64_t state_doubles;
 };
 
 /** Of a stream without records. */
@@ -59,25 +47,6 @@ int journal_flush(struct journal *journal, struct message *message);
  *  in *message. */
 int journal_read(struct journal *journal, struct journal_file *file, int64_t first, int64_t count, double *records,
                  struct message *message);
-
-/** Commits the journal with a checkpoint of the bodies and of the verdict so far; marks and sizes in *checkpoint are
- *  set. Returns 0, or -1 with one line in *message and the checkpoint before it as it was. */
-int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                     const struct verdict *verdict, const double *more, int64_t more_count, struct message *message);
-
-/** The bytes of the checkpoint in the journal, piece by piece: size of all bytes, from byte at on. take returns 0, or
- *  non-zero if there is no memory. Returns 0, or -1 with one line in *message, which is to be empty before. */
-int checkpoint_pieces(struct journal *journal,
-                      int (*take)(void *self, size_t at, size_t all, const void *piece, size_t size), void *self,
-                      struct message *message);
-/** All of them, from malloc; NULL with one line in *message. */
-unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct message *message);
-
-/** Takes a checkpoint from its bytes, which malloc has aligned, for these bodies and their verdict, which get its
- *  state, or stay as they are if that is of step 0: they are at t = 0 already. Returns 0, or -1: it is none, or is
- *  damaged. */
-int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                    struct verdict *verdict, double *more, int64_t more_count);
 
 /** Closes the journal and leaves it, with its last checkpoint, or removes it. */
 void journal_end(struct journal *journal, int removes);

@@ -57,9 +57,6 @@ int keep_settle(struct keep *keep, struct message *message);
 /** Writes the line that the file is damaged, and returns -1. */
 int keep_damaged(const struct keep *keep, const char *how, struct message *message);
 
-/** Seconds on a clock that nobody sets. */
-double keep_now(void);
-
 /** Closes the file and leaves it, with what was committed last. Harmless, like keep_remove, if it is not open. */
 void keep_close(struct keep *keep);
 /** Removes it, as far as it still is this program's, and closes it. */

@@ -4,7 +4,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <hdf5.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,21 +14,6 @@
 #include "left.h"
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
-
-static int is_hdf5(const char *path, const char *attribute)
-{
-    htri_t found = 0;
-    H5E_BEGIN_TRY
-    {
-        const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        if (file >= 0) {
-            found = H5Aexists(file, attribute);
-            H5Fclose(file);
-        }
-    }
-    H5E_END_TRY;
-    return found > 0;
-}
 
 static int is_text(const char *path, const struct mark *mark)
 {
@@ -65,16 +49,17 @@ static int is_half(const char *path, const struct mark *mark)
     return strncmp(start, mark->begins, size < strlen(mark->begins) ? size : strlen(mark->begins)) == 0;
 }
 
-int mark_is_ours(const char *path, const struct mark *mark)
+int overwrite_is_ours(const char *path, const struct mark *mark)
 {
     struct stat info;
     if (stat(path, &info) != 0 || !S_ISREG(info.st_mode))
         return 0;
-    return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path, mark->holds != NULL ? mark->holds : "vti_version")
-                                                      : is_text(path, mark));
+    return info.st_size == 0 ||
+           (mark->begins == NULL ? held_has(path, mark->holds != NULL ? mark->holds : "vti_version")
+                                 : is_text(path, mark));
 }
 
-int is_protected(const char *path)
+int overwrite_is_protected(const char *path)
 {
     struct stat info;
     return stat(path, &info) == 0 && (info.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
@@ -183,7 +168,7 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
                            "replace it with --force",
                            path, strerror(errno));
-    if (!mark_is_ours(path, mark)) {
+    if (!overwrite_is_ours(path, mark)) {
         if (mark->begins == NULL && held_is(path))
             return message_set(message,
                                "%.600s: is there already and " HELD_TEXT
@@ -194,7 +179,7 @@ static int check_ours(const char *path, const struct mark *mark, struct message 
                            "it with --force",
                            path);
     }
-    if (is_protected(path))
+    if (overwrite_is_protected(path))
         return message_set(message,
                            "%.600s: is there already and is write-protected; choose another place with -o, or replace "
                            "it with --force",
@@ -244,7 +229,7 @@ static int check_part(const char *folder, const struct output *o, int left, int 
                        path, o->name);
 }
 
-int inputs_of(const char *path, const struct scene *scene, struct input *list)
+int overwrite_inputs(const char *path, const struct scene *scene, struct input *list)
 {
     const struct input file = {path, "the scene"};
     int n = 0;
@@ -257,15 +242,16 @@ int inputs_of(const char *path, const struct scene *scene, struct input *list)
     return n;
 }
 
-int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
-                    int inputs_count, const struct kept *kept, int force, struct message *message)
+int overwrite_check(const struct overwrite *o, struct message *message)
 {
-    if (check_kept(folder, kept->name, inputs, inputs_count, message) != 0)
+    const char *const folder = o->folder;
+    if (check_kept(folder, o->kept.name, o->inputs, o->inputs_count, message) != 0)
         return -1;
-    for (int k = 0; k < outputs_count; ++k)
-        if (check_inputs(folder, outputs[k].name, inputs, inputs_count, message) != 0 ||
-            check_others(folder, outputs, k, message) != 0 || check_there(folder, &outputs[k], force, message) != 0 ||
-            check_part(folder, &outputs[k], kept->left, force, message) != 0)
+    for (int k = 0; k < o->outputs_count; ++k)
+        if (check_inputs(folder, o->outputs[k].name, o->inputs, o->inputs_count, message) != 0 ||
+            check_others(folder, o->outputs, k, message) != 0 ||
+            check_there(folder, &o->outputs[k], o->force, message) != 0 ||
+            check_part(folder, &o->outputs[k], o->kept.left, o->force, message) != 0)
             return -1;
     return 0;
 }

@@ -3,7 +3,7 @@
 #ifndef VTI_OVERWRITE_H
 #define VTI_OVERWRITE_H
 
-#include "table.h"
+#include "tables.h"
 
 /** How a text file of ours is known: its first lines begin so, hold that, and lack the others. HDF5 files are known by
  *  the attribute of their root that holds names, vti_version without it. */
@@ -32,18 +32,28 @@ struct kept {
 };
 
 /** Writes them to list[INPUTS_OF_SCENE] and returns how many there are. */
-int inputs_of(const char *path, const struct scene *scene, struct input *list);
+int overwrite_inputs(const char *path, const struct scene *scene, struct input *list);
 
 /** Whether the file at path, links followed, is a result of ours; so is an empty one, in which nothing can be lost. */
-int mark_is_ours(const char *path, const struct mark *mark);
+int overwrite_is_ours(const char *path, const struct mark *mark);
 /** Whether the file at path, links followed, is write-protected: nobody may write to it, so that it is to stay. */
-int is_protected(const char *path);
+int overwrite_is_protected(const char *path);
+
+/** What a program would write and reads. */
+struct overwrite {
+    const char *folder;
+    const struct output *outputs;
+    int outputs_count;
+    const struct input *inputs;
+    int inputs_count;
+    struct kept kept;
+    int force;
+};
 
 /** Refuses outputs that are inputs or each other, whatever their names (device and inode count, links are followed),
  *  outputs whose folder is not there or not to be written to, and, but with force, files that are there and not ours,
- *  or write-protected, under the names that outputs have while they are written too. So it does where *kept, or what
+ *  or write-protected, under the names that outputs have while they are written too. So it does where kept, or what
  *  SQLite puts beside it, would be an input. Returns 0, or -1 with one line in *message. */
-int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
-                    int inputs_count, const struct kept *kept, int force, struct message *message);
+int overwrite_check(const struct overwrite *o, struct message *message);
 
 #endif

@@ -27,7 +27,7 @@ static void note(int number)
     seen = number;
 }
 
-void run_signals_catch(void)
+void signals_catch(void)
 {
     static const int numbers[] = {SIGTERM, SIGUSR1, SIGINT, SIGHUP, SIGXCPU};
     struct sigaction action;
@@ -46,7 +46,7 @@ void run_signals_catch(void)
     sigaction(SIGPIPE, &action, NULL);
 }
 
-const char *run_signals_seen(void)
+const char *signals_seen(void)
 {
     const int number = seen;
     return number == 0         ? NULL
@@ -57,7 +57,7 @@ const char *run_signals_seen(void)
                                : "SIGINT";
 }
 
-void run_signals_obey(void)
+void signals_obey(void)
 {
     const int number = seen;
     signal(number, SIG_DFL);

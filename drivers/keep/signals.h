@@ -5,10 +5,10 @@
 
 /** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, but one that comes seconds after another, which
  *  ends the program; and a file that grows too large or a pipe that nobody reads any more is an error, not a signal. */
-void run_signals_catch(void);
+void signals_catch(void);
 /** "SIGTERM", say, if one has come, else NULL. */
-const char *run_signals_seen(void);
+const char *signals_seen(void);
 /** Ends the program as the signal that has come would have. */
-void run_signals_obey(void);
+void signals_obey(void);
 
 #endif

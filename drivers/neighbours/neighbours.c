@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cells.h"
+#include "excluded.h"
 #include "far.h"
 #include "number.h"
 #include "threads.h"

@@ -29,7 +29,7 @@ int beside_scene(const char *name, char path[BESIDE_PATH])
     return find("../scenes/", name, path) == 0 || find("../share/vti/scenes/", name, path) == 0 ? 0 : -1;
 }
 
-int pictures_draw(const char *folder, const char *name, struct message *message)
+int beside_draw(const char *folder, const char *name, struct message *message)
 {
     char program[BESIDE_PATH], file[FOLDER_PATH];
     if (find("", "vti-plot", program) != 0)

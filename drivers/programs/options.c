@@ -202,7 +202,7 @@ int options_refuse_set(const struct option_list *sets, const char *key, const ch
     return 0;
 }
 
-int output_end(struct message *message)
+int options_output_end(struct message *message)
 {
     if (stream_end(stdout, fflush) == 0)
         return 0;

@@ -74,6 +74,6 @@ enum { EXIT_BAD = 3, EXIT_RESUME = 75 };
 
 /** At the end of a program, after OPTIONS_TOLD too: whether all that it said has got there. Returns 0, or -1 with one
  *  line in *message. */
-int output_end(struct message *message);
+int options_output_end(struct message *message);
 
 #endif

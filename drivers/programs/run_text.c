@@ -118,18 +118,18 @@ static void say_notes(const struct run *run, FILE *file)
 static void say_files(const struct run *run, FILE *file)
 {
     const double much = 1e8;
-    const struct run_sizes sizes = run_sizes(run);
+    const struct run_sizes sizes = sizes_of(run);
     char files[32], all[32], needed[32], space[32];
     const int is_much = sizes.files + sizes.journal >= much;
     if (is_much)
-        fprintf(file, "; files of some %s, %s while they are written", size_text(sizes.files, files),
-                size_text(sizes.files + sizes.journal, all));
+        fprintf(file, "; files of some %s, %s while they are written", sizes_text(sizes.files, files),
+                sizes_text(sizes.files + sizes.journal, all));
     fputc('\n', file);
     if (is_much && sizes.needed > sizes.space)
         fprintf(file,
                 "warning: %s has room for %s, and the run needs some %s of it: make room there, record fewer frames "
                 "(--frames), leave OUT.dump out (--no-dump), or choose another place with -o\n",
-                run->files.folder, size_text(sizes.space, space), size_text(sizes.needed, needed));
+                run->files.folder, sizes_text(sizes.space, space), sizes_text(sizes.needed, needed));
 }
 
 /** "a row every step (0.01 of time)", "a frame every 50 steps (0.5 of time)"; of steps that vary "every 50 h" */

@@ -203,12 +203,12 @@ static int write_survey(void *counted, const char *folder, struct message *messa
                : say_survey(&c->survey, &c->counts, folder, message);
 }
 
-int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank)
+int study_go_survey(const struct survey_plan *plan, const struct study_place *place, int rank)
 {
     static const struct study_kind kind = {say_survey_plan, run_survey, write_survey};
     struct counted_survey counted = {.counts = {{0}, 0, 0}};
-    const struct study_work work = {study_journal, "points",    survey_points(plan), (size_t)survey_bytes(plan),
-                                    study_outputs, STUDY_FILES, survey_identify,     plan};
+    const struct study_work work = {study_journal, "points",    survey_points(plan),   (size_t)survey_bytes(plan),
+                                    study_outputs, STUDY_FILES, study_identify_survey, plan};
     const int failed = go_through(&kind, &work, place, rank, &counted);
     int bad = counted.counts.verdict[VERDICT_BAD] > 0 || counted.counts.failed > 0;
     if (failed == NOT_BEGUN)
@@ -233,7 +233,7 @@ static void say_cost_plan(const void *of)
 
 static void say_cost(const struct cost *cost, const char *folder)
 {
-    cost_table_write(cost, stdout);
+    study_table_write_cost(cost, stdout);
     printf("%lld runs in %.2f s, written to %s: cost.csv errors.csv prices.csv machine.txt\n", (long long)cost->runs,
            cost->seconds, folder);
 }
@@ -249,7 +249,7 @@ static int write_cost(void *cost, const char *folder, struct message *message)
     return cost_files_write(cost, folder, message);
 }
 
-int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
+int study_go_cost(const struct cost_plan *plan, const struct study_place *place, int rank)
 {
     static const struct study_kind kind = {say_cost_plan, run_cost, write_cost};
     static struct cost cost;
@@ -259,7 +259,7 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
                                     sizeof(struct cost_ladder),
                                     cost_outputs,
                                     COST_FILES,
-                                    cost_identify,
+                                    study_identify_cost,
                                     plan};
     const int failed = go_through(&kind, &work, place, rank, &cost);
     if (failed == NOT_BEGUN)

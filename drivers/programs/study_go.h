@@ -10,7 +10,7 @@
 #include "message.h"
 #include "overwrite.h"
 #include "survey.h"
-#include "table.h"
+#include "tables.h"
 
 /** Where it goes and whether one that was interrupted there goes on. */
 struct study_place {
@@ -27,8 +27,8 @@ struct study_place {
  *  on some run is bad, or when one line has been said about it WATCH_ASKED if it was ended so, or -1 if something
  *  failed. */
 int study_go(const struct plan *plan, const struct study_place *place, int rank);
-int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank);
-int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank);
+int study_go_survey(const struct survey_plan *plan, const struct study_place *place, int rank);
+int study_go_cost(const struct cost_plan *plan, const struct study_place *place, int rank);
 
 /** For people: errors of every run, then the fitted orders. */
 void study_table_write(const struct study *study, FILE *file);
@@ -41,7 +41,7 @@ void study_print_h(double h, FILE *file);
  *  order. */
 void study_print_order(double order, double interval, FILE *file);
 /** The price list of every case, and what the next digit costs. */
-void cost_table_write(const struct cost *cost, FILE *file);
+void study_table_write_cost(const struct cost *cost, FILE *file);
 
 /* ---- files beside the programs ----------------------------------------------------------------------------------- */
 
@@ -52,7 +52,7 @@ enum { BESIDE_PATH = 4096 };
 /** The path of a shipped scene, "pendulum.yaml". Returns 0, or -1 if there is none. */
 int beside_scene(const char *name, char path[BESIDE_PATH]);
 /** Pictures: runs "vti-plot folder/name" and waits for it. Returns 0, or -1 with one line in *message. */
-int pictures_draw(const char *folder, const char *name, struct message *message);
+int beside_draw(const char *folder, const char *name, struct message *message);
 
 /* ---- the scenes of a cost study ---------------------------------------------------------------------------------- */
 
@@ -79,7 +79,7 @@ void cost_scenes_destroy(struct cost_scenes *scenes);
 
 /** Write the lines "key: value" (identity.h); self is a struct plan, survey_plan or cost_plan. */
 void study_identify(FILE *text, const void *self);
-void survey_identify(FILE *text, const void *self);
-void cost_identify(FILE *text, const void *self);
+void study_identify_survey(FILE *text, const void *self);
+void study_identify_cost(FILE *text, const void *self);
 
 #endif

@@ -44,7 +44,7 @@ static const char *before_scene(int64_t k, char text[32])
 }
 
 /** Of the scenes at their first points, of what is swept, and of the tables of all points. */
-void survey_identify(FILE *text, const void *self)
+void study_identify_survey(FILE *text, const void *self)
 {
     const struct survey_plan *plan = self;
     const struct plan *each = plan->each;
@@ -63,7 +63,7 @@ void survey_identify(FILE *text, const void *self)
 }
 
 /** How often times are taken is no part of it. */
-void cost_identify(FILE *text, const void *self)
+void study_identify_cost(FILE *text, const void *self)
 {
     const struct cost_plan *plan = self;
     const struct cost_case *c = plan->cases;

@@ -234,7 +234,7 @@ static double nearest(const struct cost *cost, int64_t c)
     return least;
 }
 
-void cost_table_write(const struct cost *cost, FILE *file)
+void study_table_write_cost(const struct cost *cost, FILE *file)
 {
     for (int64_t c = 0; c < cost->plan->cases_count; ++c) {
         int64_t order[COST_METHODS];

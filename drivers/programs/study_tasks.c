@@ -27,7 +27,7 @@ int study_agree(int failed, int rank, const struct message *message)
     if (all[0] == 1)
         return 0;
     if (all[1] == rank || (all[1] == ranks && rank == 0)) {
-        FILE *const file = run_signals_seen() != NULL ? last_words() : stderr;
+        FILE *const file = signals_seen() != NULL ? last_words() : stderr;
         progress_clear();
         fprintf(file, "vti-study: %s\n", all[1] == rank ? message->text : "out of memory; use fewer runs");
         fflush(file);
@@ -43,9 +43,14 @@ static const struct study_work *now; /* the one that is open */
 /** left says whether the journal is ours (overwrite.h). */
 static int check_files(const struct study_place *place, int left, struct message *message)
 {
-    const struct kept kept = {now->journal, left};
-    return overwrite_check(place->folder, now->files, now->files_count, place->inputs, place->inputs_count, &kept,
-                           place->force, message);
+    const struct overwrite overwrite = {.folder = place->folder,
+                                        .outputs = now->files,
+                                        .outputs_count = now->files_count,
+                                        .inputs = place->inputs,
+                                        .inputs_count = place->inputs_count,
+                                        .kept = {now->journal, left},
+                                        .force = place->force};
+    return overwrite_check(&overwrite, message);
 }
 
 int study_tasks_check(const struct study_place *place, struct message *message)
@@ -63,7 +68,7 @@ static int check_pictures(const struct study_place *place, struct message *messa
         return 0;
     if (folder_output(place->folder, "study.h5", 0, path, message) != 0)
         return -1;
-    const int ours = mark_is_ours(path, &hdf5);
+    const int ours = overwrite_is_ours(path, &hdf5);
     for (const char *const *name = place->pictures; *name != NULL && !ours; ++name) {
         if (folder_path(place->folder, *name, 0, path, message) != 0)
             return -1;
@@ -145,13 +150,13 @@ static void show(const char *what, int64_t done, int64_t all, double seconds)
 
 static int is_asked(void)
 {
-    return run_signals_seen() != NULL;
+    return signals_seen() != NULL;
 }
 
 struct study_watch study_watch_begin(void)
 {
     const struct study_watch watch = {show, is_asked};
-    run_signals_catch();
+    signals_catch();
     return watch;
 }
 

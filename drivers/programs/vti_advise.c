@@ -4,6 +4,7 @@
 
 #include "advise.h"
 #include "advise_text.h"
+#include "clock.h"
 #include "options.h"
 #include "table_hdf5.h"
 #include "terminal.h"
@@ -45,7 +46,7 @@ static const struct option_row rows[] = {
 
 static const struct options options = {"vti-advise", "", "[options] SCENE.yaml", rows, 1};
 
-/** When the first pilot began, purse_clock. */
+/** When the first pilot began, clock_now. */
 static double begin;
 
 /** What is being run, on a terminal; else now and then in a line. */
@@ -53,7 +54,7 @@ static void show(const char *stepper, int64_t steps)
 {
     char line[80];
     snprintf(line, sizeof line, "trying %s in %lld steps", stepper, (long long)steps);
-    progress_say(line, purse_clock() - begin);
+    progress_say(line, clock_now() - begin);
 }
 
 /** What of the scene says nothing to any pilot. */
@@ -105,7 +106,7 @@ static int give_advice(struct scene *scene, struct message *message)
             "the run that is advised on; --budget sets another time\n",
             scene_first_with(scene, EFFECT_KINKED));
     fflush(stdout);
-    begin = purse_clock();
+    begin = clock_now();
     log_as(options.program);
     const int failed = advise(&request, &advice, message);
     progress_clear();
@@ -134,7 +135,7 @@ int main(int argc, char **argv)
     int count;
     method_admit();
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
-    int failed = asked == OPTIONS_WRONG ? -1 : asked == OPTIONS_TOLD ? output_end(&message) : 0;
+    int failed = asked == OPTIONS_WRONG ? -1 : asked == OPTIONS_TOLD ? options_output_end(&message) : 0;
     if (asked == OPTIONS_TOLD && failed == 0)
         return 0;
     if (failed == 0 && count == 0)
@@ -152,7 +153,7 @@ int main(int argc, char **argv)
     if (failed == 0)
         failed = give_advice(&scene, &message);
     if (failed == 0)
-        failed = output_end(&message);
+        failed = options_output_end(&message);
     if (failed != 0)
         fprintf(stderr, "vti-advise: %s\n", message.text);
     tables_destroy(&tables);

@@ -142,7 +142,7 @@ int main(int argc, char **argv)
         message_set(&message, "--json: needs the name of one stepper; see vti-check --help");
     else if (asked == OPTIONS_GO)
         result = list ? print_names() : name == NULL ? check_all() : check_one(name, &message);
-    if (message.text[0] == '\0' && output_end(&message) != 0)
+    if (message.text[0] == '\0' && options_output_end(&message) != 0)
         result = 2;
     if (message.text[0] != '\0')
         fprintf(stderr, "vti-check: %s\n", message.text);

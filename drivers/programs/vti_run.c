@@ -96,19 +96,19 @@ static int run_scene(struct message *message)
     const int opened = run_open(&request, &run, message) == 0;
     if (opened && run.done) {
         run_text_done(&run, stdout);
-        end = output_end(message) == 0 ? RUN_COMPLETE : RUN_FAILED;
+        end = options_output_end(message) == 0 ? RUN_COMPLETE : RUN_FAILED;
     } else if (opened) {
         run_text_start(&run, stdout);
         end = run_go(&run, &watch, message);
         progress_clear();
         if (end == RUN_COMPLETE || end == RUN_BROKEN)
             run_text_end(&run, stdout);
-        if (end == RUN_COMPLETE && output_end(message) != 0)
+        if (end == RUN_COMPLETE && options_output_end(message) != 0)
             end = RUN_FAILED;
     }
     run_close(&run);
     if (end == RUN_ENDED)
-        run_signals_obey();
+        signals_obey();
     return exit_code(end, run.record.judgement.verdict);
 }
 
@@ -121,15 +121,15 @@ int main(int argc, char **argv)
     log_as(options.program);
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
     if (asked == OPTIONS_TOLD) {
-        code = output_end(&message) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+        code = options_output_end(&message) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
     } else if (asked == OPTIONS_GO && list != NULL && count > 0) {
         message_set(&message, "%.300s: --list lists, and runs no scene; leave one of them out", scenes[0]);
     } else if (asked == OPTIONS_GO && list != NULL) {
-        if (scene_list(list, stdout, &message) == 0 && output_end(&message) == 0)
+        if (scene_list(list, stdout, &message) == 0 && options_output_end(&message) == 0)
             code = EXIT_SUCCESS;
     } else if (asked == OPTIONS_GO && count == 0)
         message_set(&message, "a scene is needed: vti-run SCENE.yaml; see vti-run --help");
-    else if (asked == OPTIONS_GO && (fields == NULL || fields_read(fields, &request.fields, &message) == 0)) {
+    else if (asked == OPTIONS_GO && (fields == NULL || record_fields_read(fields, &request.fields, &message) == 0)) {
         request.scene = scenes[0];
         request.sets_count = sets.count;
         code = run_scene(&message);

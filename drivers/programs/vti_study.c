@@ -255,7 +255,7 @@ static int run_survey(int rank, char folder[FOLDER_PATH], int *wants_plot)
     else
         snprintf(folder, FOLDER_PATH, "sweep-%s", plan.first[0].name);
     const struct study_place place = {folder, resume, force, inputs.input, inputs.count, plot ? survey_pictures : NULL};
-    failed = survey_go(&plan, &place, rank);
+    failed = study_go_survey(&plan, &place, rank);
     *wants_plot = rank == 0 && plot;
     return failed;
 }
@@ -282,11 +282,11 @@ static int run_cost(int rank)
     struct message message = {""};
     int failed = study_agree(make_cost_plan(&read, &plan, &message), rank, &message);
     for (int k = 0; k < read.count; ++k)
-        inputs.count += inputs_of(read.paths[k], &read.scenes[k], inputs.input + inputs.count);
+        inputs.count += overwrite_inputs(read.paths[k], &read.scenes[k], inputs.input + inputs.count);
     const struct study_place place = {
         output != NULL ? output : "cost", resume, force, inputs.input, inputs.count, NULL};
     if (failed == 0)
-        failed = cost_go(&plan, &place, rank);
+        failed = study_go_cost(&plan, &place, rank);
     cost_scenes_destroy(&read);
     return failed;
 }
@@ -312,7 +312,7 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
             snprintf(folder, FOLDER_PATH, "%s", output);
         else
             snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
-        inputs.count = inputs_of(scenes[0], &scene, inputs.input);
+        inputs.count = overwrite_inputs(scenes[0], &scene, inputs.input);
         const struct study_place place = {folder,       resume,       force,
                                           inputs.input, inputs.count, plot ? study_pictures : NULL};
         failed = study_go(&plan, &place, rank);
@@ -333,11 +333,11 @@ int main(int argc, char **argv)
     if (rank == 0)
         log_as("vti-study");
     int failed = run(argc, argv, rank, folder, &wants_plot);
-    if (failed >= 0 && study_agree(output_end(&message), rank, &message) != 0)
+    if (failed >= 0 && study_agree(options_output_end(&message), rank, &message) != 0)
         failed = -1;
     MPI_Finalize();
     /* forking is not safe on every transport while MPI is up, so pictures come last */
-    if (failed >= 0 && wants_plot && pictures_draw(folder, "study.h5", &message) != 0) {
+    if (failed >= 0 && wants_plot && beside_draw(folder, "study.h5", &message) != 0) {
         fprintf(stderr, "vti-study: %s\n", message.text);
         failed = -1;
     }

@@ -53,17 +53,17 @@ static void share_panels(struct smooth *s, MPI_Comm comm)
 }
 
 /** By rank 0, and by rank 1, if there is one, the other solution meanwhile: into other. */
-static int integrate_smooth(struct smooth *s, double t_end, double bytes, const struct place *place, double *other,
-                            struct message *message)
+static int integrate_smooth(struct smooth *s, const struct reference_span *span, const struct place *place,
+                            double *other, struct message *message)
 {
     enum { TAG_OTHER = 5 };
     const int size = (int)(SMOOTH_SAMPLES * equations_width(s->model));
     int ranks, failed = 0;
     MPI_Comm_size(place->comm, &ranks);
     if (place->rank == 0)
-        failed = smooth_integrate(s, t_end, bytes, place->watch, message);
+        failed = smooth_integrate(s, span->t_end, span->bytes, place->watch, message);
     if (failed == 0 && place->rank == (ranks > 1))
-        failed = smooth_looser(s->model, t_end, other, place->watch, message);
+        failed = smooth_looser(s->model, span->t_end, other, place->watch, message);
     if ((failed = anywhere(failed, place->comm)) != 0)
         return failed;
     if (ranks > 1 && place->rank == 1)
@@ -75,8 +75,8 @@ static int integrate_smooth(struct smooth *s, double t_end, double bytes, const 
     return 0;
 }
 
-static int create_smooth(struct model *model, double t_end, double bytes, const struct place *place, struct smooth *s,
-                         struct message *message)
+static int create_smooth(struct model *model, const struct reference_span *span, const struct place *place,
+                         struct smooth *s, struct message *message)
 {
     double *const other = calloc((size_t)(SMOOTH_SAMPLES * equations_width(model)), sizeof *other);
     int failed = smooth_create(s, model, message);
@@ -84,13 +84,13 @@ static int create_smooth(struct model *model, double t_end, double bytes, const 
         failed = scene_no_memory(model->scene, message);
     failed = anywhere(failed, place->comm);
     if (failed == 0)
-        failed = integrate_smooth(s, t_end, bytes, place, other, message);
+        failed = integrate_smooth(s, span, place, other, message);
     free(other);
     if (failed != 0)
         return failed;
     int64_t size[2] = {s->panels.count, s->panels.held};
     MPI_Bcast(size, 2, MPI_INT64_T, 0, place->comm);
-    if (place->rank != 0 && smooth_resize(s, size[0], size[1], t_end) != 0)
+    if (place->rank != 0 && smooth_resize(s, size[0], size[1], span->t_end) != 0)
         failed = message_set(message, "%s: out of memory for the reference solution; give less of it with --memory",
                              model->scene->name);
     if ((failed = anywhere(failed, place->comm)) != 0)
@@ -104,7 +104,7 @@ static int integrate(struct sampled *s, const struct place *place, int ranks, st
 {
     int failed = 0;
     if (ranks > 1 && place->rank < 2)
-        failed = pair_integrate(s, place->comm, place->watch, message);
+        failed = sampled_pair_integrate(s, place->comm, place->watch, message);
     else if (ranks == 1) {
         failed = sampled_solve(s, NULL, place->watch, message);
         failed = failed == 0 ? sampled_compare(s, NULL, place->watch, message) : failed;
@@ -112,10 +112,10 @@ static int integrate(struct sampled *s, const struct place *place, int ranks, st
     return failed;
 }
 
-static int create_sampled(struct model *model, double t_end, double interval, double finest, const struct place *place,
+static int create_sampled(struct model *model, const struct reference_span *span, const struct place *place,
                           struct sampled *s, struct message *message)
 {
-    int failed = sampled_create(s, model, interval, llrint(t_end / interval), message);
+    int failed = sampled_create(s, model, span->interval, llrint(span->t_end / span->interval), message);
     if ((failed = anywhere(failed, place->comm)) != 0)
         return failed;
     int ranks;
@@ -124,7 +124,7 @@ static int create_sampled(struct model *model, double t_end, double interval, do
     if (!dissipates)
         failed = integrate(s, place, ranks, message);
     else if (place->rank == 0)
-        failed = stepped_solve(s, finest, place->watch, message);
+        failed = stepped_solve(s, span->finest, place->watch, message);
     if ((failed = anywhere(failed, place->comm)) != 0)
         return failed;
     if (ranks > (dissipates ? 1 : 2))
@@ -150,19 +150,20 @@ static int see_pass(void *self, double share)
     return study_asked(stage->watch);
 }
 
-static int create(struct model *model, double t_end, double interval, double finest, double bytes,
-                  const struct place *place, struct reference *r, struct message *message)
+static int create(struct model *model, const struct reference_span *span, const struct place *place,
+                  struct reference *r, struct message *message)
 {
+    const double interval = span->interval;
     const vti_effect *dissipates = model_dissipates(model);
     memset(r, 0, sizeof *r);
-    if (dissipates != NULL && !(finest > 0.0))
+    if (dissipates != NULL && !(span->finest > 0.0))
         return message_set(message,
                            "%s: %s dissipates, and price lists compare with others' methods, which have forces alone; "
                            "leave --cost out",
                            model->scene->name, dissipates->name);
     r->interval = interval;
-    const int failed = interval == 0.0 ? create_smooth(model, t_end, bytes, place, &r->smooth, message)
-                                       : create_sampled(model, t_end, interval, finest, place, &r->sampled, message);
+    const int failed = interval == 0.0 ? create_smooth(model, span, place, &r->smooth, message)
+                                       : create_sampled(model, span, place, &r->sampled, message);
     if (failed != 0) {
         reference_destroy(r);
         return failed;
@@ -177,21 +178,21 @@ static int create(struct model *model, double t_end, double interval, double fin
     return 0;
 }
 
-int reference_create(struct model *model, double t_end, double interval, double finest, double bytes, MPI_Comm comm,
+int reference_create(struct model *model, const struct reference_span *span, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *r, struct message *message)
 {
     struct stage stage = {watch, MPI_Wtime(), 0.0, 0};
     MPI_Comm_rank(comm, &stage.rank);
     const struct watch on_pass = {see_pass, &stage};
     const struct place place = {comm, stage.rank, &on_pass};
-    return create(model, t_end, interval, finest, bytes, &place, r, message);
+    return create(model, span, &place, r, message);
 }
 
-int reference_alone(struct model *model, double t_end, double interval, double finest, double bytes,
-                    const struct watch *watch, struct reference *r, struct message *message)
+int reference_alone(struct model *model, const struct reference_span *span, const struct watch *watch,
+                    struct reference *r, struct message *message)
 {
     const struct place place = {MPI_COMM_SELF, 0, watch};
-    return create(model, t_end, interval, finest, bytes, &place, r, message);
+    return create(model, span, &place, r, message);
 }
 
 void reference_destroy(struct reference *r)

@@ -26,17 +26,24 @@ int reference_is_smooth(const struct model *model);
 /** The memory that a reference takes on every rank, in bytes, unless somebody says otherwise. */
 #define REFERENCE_BYTES 1e9
 
+/** How far a model is integrated, and for whom. */
+struct reference_span {
+    double t_end;
+    double interval; /* 0, or for models that are not smooth an interval of which t_end is a multiple */
+    double finest;   /* the shortest step that will be compared with it, of models that dissipate (stepped.h); others do
+                        not ask, and those are refused at 0 */
+    double bytes;    /* that panels take on every rank at most */
+};
+
 /** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm (and, at intervals, on rank 1 beside
- *  it) and shares it with all. interval is 0, or for models that are not smooth an interval of which t_end is a
- *  multiple. finest is the shortest step that will be compared with it, of models that dissipate (stepped.h); others do
- *  not ask, and those are refused at 0. Panels take up to bytes on every rank: what does not fit is integrated again
- *  when it is read (smooth.h); states at intervals take what they take. watch looks on there. Collective. Returns 0 on
- *  all ranks, or -1 on all with one line in *message, or WATCH_ASKED on all. */
-int reference_create(struct model *model, double t_end, double interval, double finest, double bytes, MPI_Comm comm,
+ *  it) and shares it with all. What does not fit into span->bytes is integrated again when it is read (smooth.h);
+ *  states at intervals take what they take. watch looks on there. Collective. Returns 0 on all ranks, or -1 on all with
+ *  one line in *message, or WATCH_ASKED on all. */
+int reference_create(struct model *model, const struct reference_span *span, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *reference, struct message *message);
 /** The same, with the same bits, by this rank for itself. */
-int reference_alone(struct model *model, double t_end, double interval, double finest, double bytes,
-                    const struct watch *watch, struct reference *reference, struct message *message);
+int reference_alone(struct model *model, const struct reference_span *span, const struct watch *watch,
+                    struct reference *reference, struct message *message);
 void reference_destroy(struct reference *reference);
 
 /** To be called before the two below are asked about t. Returns 0, or -1 with one line in *message, or

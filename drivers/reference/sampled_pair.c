@@ -88,7 +88,7 @@ static int follow(struct link *link, const struct watch *watch, struct message *
     return link->cut ? 0 : failed; /* why nothing more comes rank 0 says */
 }
 
-int pair_integrate(struct sampled *s, MPI_Comm comm, const struct watch *watch, struct message *message)
+int sampled_pair_integrate(struct sampled *s, MPI_Comm comm, const struct watch *watch, struct message *message)
 {
     int rank;
     struct link link = {s, comm, s->width < BLOCK ? BLOCK / s->width : 1, 0, NULL, 0, 0, 0};

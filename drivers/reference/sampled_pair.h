@@ -11,6 +11,6 @@
 /** To be called by ranks 0 and 1 of comm, with a watch each. Afterwards both have all states, energy_error and spread,
  *  with the bits of sampled_solve and sampled_compare by one rank. Returns 0, or -1 with one line in *message, or
  *  WATCH_ASKED; not always the same on both. */
-int pair_integrate(struct sampled *sampled, MPI_Comm comm, const struct watch *watch, struct message *message);
+int sampled_pair_integrate(struct sampled *sampled, MPI_Comm comm, const struct watch *watch, struct message *message);
 
 #endif

@@ -56,11 +56,11 @@ const struct rival *multistep_at(int64_t i);
 
 /** The same of those that choose their steps by a tolerance: their table is the vti_stepper that they step by. NULL
  *  outside 0 <= i < 3. */
-const struct rival *controlled_at(int64_t i);
+const struct rival *tolerance_at(int64_t i);
 
 /** The same of those whose steps follow how fast bodies turn: by the integrating controller, or the naive one. NULL
  *  after the last. A scene calls for them by its control; they are not listed, nor found by name. */
-const struct rival *varied_at(int64_t i, int naive);
+const struct rival *density_at(int64_t i, int naive);
 
 /** A rival that runs a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
  *  the model does not have are NULL. x, v, w, L, f and m are the model's own memory. */

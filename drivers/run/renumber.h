@@ -6,7 +6,7 @@
 #define VTI_RENUMBER_H
 
 #include "model.h"
-#include "table.h"
+#include "tables.h"
 
 struct renumbering {
     struct tables tables; /* with the bodies in that order; tables.number is number */

@@ -87,7 +87,7 @@ static int open_scene(struct run *run, struct message *message)
     if (tables_read(&run->scene, &run->tables, message) != 0 || make_models(run, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
-    if (fields_check(r->fields, &run->model, message) != 0)
+    if (record_fields_check(r->fields, &run->model, message) != 0)
         return -1;
     if (run->steps < 1)
         return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
@@ -127,7 +127,7 @@ static int open_journal(struct run *run, const char *path, struct message *messa
 {
     if (identify(run, message) != 0)
         return -1;
-    run_signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
+    signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
     if (keep_open(&run->journal.keep, path, "run", run->record.identity, run->request->resume, message) != 0)
         return -1;
     run->kept = run->journal.keep.there;
@@ -148,7 +148,7 @@ static int open_files(struct run *run, struct message *message)
     run->files.force = run->request->force;
     run->files.xdmf = run->request->xdmf;
     run->files.inputs = run->inputs;
-    run->files.inputs_count = inputs_of(run->request->scene, &run->scene, run->inputs);
+    run->files.inputs_count = overwrite_inputs(run->request->scene, &run->scene, run->inputs);
     const int stem = (int)(strlen(run->output) - strlen(run->files.hdf5) + strlen(run->files.stem));
     snprintf(path, sizeof path, "%.*s.run", stem, run->output);
     run->files.left = left_is_there(path);

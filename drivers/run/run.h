@@ -6,7 +6,7 @@
 #ifndef VTI_RUN_H
 #define VTI_RUN_H
 
-#include "journal.h"
+#include "checkpoint.h"
 #include "record.h"
 #include "renumber.h"
 #include "run_files.h"

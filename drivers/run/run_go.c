@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "clock.h"
 #include "number.h"
 #include "signals.h"
 #include "state.h"
@@ -60,7 +61,7 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     const double *more = travel_state(&run->travel, &count);
     run->checkpoint.step = step;
-    run->saved = keep_now();
+    run->saved = clock_now();
     if (checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, more, count, run->message) != 0)
         return stop(run, RUN_FAILED);
     run->kept = 1;
@@ -79,7 +80,7 @@ static int poll_looks(void *self, int64_t step)
 {
     struct poll *p = self;
     const struct run *run = p->run;
-    p->looks = step == run->steps || run_signals_seen() != NULL || step % run->poll_every == 0;
+    p->looks = step == run->steps || signals_seen() != NULL || step % run->poll_every == 0;
     return p->looks;
 }
 
@@ -89,8 +90,8 @@ static int poll_wants(void *self)
     enum { SELDOM = 16 }; /* a step of one body takes as long as a few looks at the clock */
     struct poll *p = self;
     const struct run *run = p->run;
-    return run_signals_seen() != NULL ||
-           (++p->asked % SELDOM == 0 && keep_now() - run->saved >= run->request->checkpoint_seconds);
+    return signals_seen() != NULL ||
+           (++p->asked % SELDOM == 0 && clock_now() - run->saved >= run->request->checkpoint_seconds);
 }
 
 /** Saves on the way, and says so. */
@@ -114,20 +115,20 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
         return 0;
     if (step == run->steps)
         return save(run, step, t, bodies);
-    if (run_signals_seen() != NULL && step == 0)
+    if (signals_seen() != NULL && step == 0)
         return stop(run, RUN_ENDED);
-    if (run_signals_seen() != NULL) {
+    if (signals_seen() != NULL) {
         if (save(run, step, t, bodies) != 0)
             return 1;
         message_set(run->message,
                     "%s: stopped at step %lld of %lld (t = %.10g); the same command with --resume goes on",
-                    run_signals_seen(), (long long)step, (long long)run->steps, t);
+                    signals_seen(), (long long)step, (long long)run->steps, t);
         return stop(run, RUN_STOPPED);
     }
     if (step % run->poll_every != 0)
         return 0;
-    p->watch->progress(step - run->from, run->steps - run->from, keep_now() - run->began);
-    return keep_now() - run->saved >= run->request->checkpoint_seconds ? save_by_the_way(p, step, t, bodies) : 0;
+    p->watch->progress(step - run->from, run->steps - run->from, clock_now() - run->began);
+    return clock_now() - run->saved >= run->request->checkpoint_seconds ? save_by_the_way(p, step, t, bodies) : 0;
 }
 
 static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -159,14 +160,7 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
     return failed != 0 ? stop(run, RUN_FAILED) : 0;
 }
 
-/** What bonds turn by, verdict_step, is seen by the attitudes. */
-static int never_looks(void *self, int64_t step)
-{
-    (void)self;
-    (void)step;
-    return 0;
-}
-
+/** It looks at no velocities: what bonds turn by, verdict_step, is seen by the attitudes. */
 static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
@@ -237,12 +231,12 @@ enum run_end run_go(struct run *run, const struct run_watch *watch, struct messa
     struct poll poller = {run, watch, 1, 0};
     const int64_t every = look_every(run);
     const struct observer observers[] = {{poll, &poller, every, 1, poll_looks, poll_wants},
-                                         {see_step, run, every, 1, never_looks, NULL},
+                                         {see_step, run, every, 1, loop_never_looks, NULL},
                                          {see_row, run, run->checkpoint.record_every, 0, NULL, NULL},
                                          {see_frame, run, run->checkpoint.frames_every, 0, NULL, NULL}};
     run->message = message;
     run->end = RUN_COMPLETE;
-    run->began = run->saved = keep_now();
+    run->began = run->saved = clock_now();
     run->poll_every = travel_pause(&run->travel, POLL_BODIES);
     if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
@@ -256,6 +250,6 @@ enum run_end run_go(struct run *run, const struct run_watch *watch, struct messa
         run->kept = 1; /* --resume begins it again, whatever run the files are of */
     if (run->end == RUN_COMPLETE || run->end == RUN_BROKEN)
         run->end = write_files(run);
-    run->seconds = keep_now() - run->began;
+    run->seconds = clock_now() - run->began;
     return run->end;
 }

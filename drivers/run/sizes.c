@@ -11,7 +11,7 @@ static int64_t records(int64_t steps, int64_t every)
     return steps / every + 1 + (steps % every != 0);
 }
 
-struct run_sizes run_sizes(const struct run *run)
+struct run_sizes sizes_of(const struct run *run)
 {
     const struct journal *journal = &run->journal;
     const int64_t rows = records(run->steps, run->checkpoint.record_every),
@@ -23,7 +23,7 @@ struct run_sizes run_sizes(const struct run *run)
     return sizes;
 }
 
-const char *size_text(double bytes, char text[32])
+const char *sizes_text(double bytes, char text[32])
 {
     if (bytes < 1e9)
         snprintf(text, 32, "%.0f MB", 1e-6 * bytes);

@@ -13,9 +13,9 @@ struct run_sizes {
     double space;   /* in the folder; infinite if nobody says */
 };
 
-struct run_sizes run_sizes(const struct run *run);
+struct run_sizes sizes_of(const struct run *run);
 
 /** "120 MB", "2.31 GB", "1.5 TB" */
-const char *size_text(double bytes, char text[32]);
+const char *sizes_text(double bytes, char text[32]);
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "model.h"
-#include "table.h"
+#include "tables.h"
 
 /** A line for each key of bodies, and for columns of their table, that the model does not go by: an inertia where
  *  nothing turns, a mass where nothing translates and no inertia follows from it, materials that give no stiffness. */

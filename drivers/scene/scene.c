@@ -24,7 +24,7 @@ static int check_missing(const struct scene_reader *reader)
     for (int k = 0; scene_field_at(k) != NULL; ++k) {
         const struct scene_field *field = scene_field_at(k);
         char section[SCENE_KEYS_SIZE] = "";
-        append(section, sizeof section, field->path);
+        quote_append(section, sizeof section, field->path);
         scene_path_up(section);
         if (field->need != SCENE_MUST || scene_reader_has(reader, field->path) ||
             (section[0] != '\0' && !scene_reader_has(reader, section)))

@@ -10,13 +10,14 @@
 
 #include "kinds.h"
 #include "message.h"
+#include "table.h"
 #include "vti.h"
 
-enum { SCENE_PATH_SIZE = 512, SCENE_PLANES_MAX = 256, SCENE_CYLINDERS_MAX = 16 };
+enum { SCENE_PATH_SIZE = TABLE_PATH_SIZE, SCENE_PLANES_MAX = 256, SCENE_CYLINDERS_MAX = 16 };
 enum { SCENE_WALLS_MAX = SCENE_PLANES_MAX + SCENE_CYLINDERS_MAX, SCENE_SPHERES_MAX = 128 };
 
-/** The most bodies of a scene: beyond, memory ends anyway, and products of counts stay far from their ends. */
-enum { SCENE_BODIES_MAX = 100000000 };
+/** The most bodies of a scene. */
+enum { SCENE_BODIES_MAX = TABLE_ROWS_MAX };
 
 /** How steps of variable length are chosen, if not by a tolerance. */
 enum scene_control { SCENE_INTEGRATING = 1, SCENE_NAIVE = 2 };
@@ -82,7 +83,7 @@ struct scene_clumps {
     double density; /* 0: bodies have a mass */
 };
 
-struct tables; /* tables/table.h */
+struct tables; /* effects/tables.h */
 
 struct scene {
     char name[64]; /* letters, digits, _ and -; of the file, up to its last dot, if the scene has none */

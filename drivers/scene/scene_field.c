@@ -205,7 +205,7 @@ char *scene_field_list(const char *section, char *out, size_t size)
     for (int k = 0; scene_field_at(k) != NULL; ++k) {
         const char *key = scene_field_key(scene_field_at(k), section);
         if (key != NULL)
-            append(append(out, size, out[0] != '\0' ? ", " : ""), size, key);
+            quote_append(quote_append(out, size, out[0] != '\0' ? ", " : ""), size, key);
     }
     return out;
 }

@@ -44,7 +44,7 @@ static void list_keys(FILE *file)
         const struct scene_field *f = scene_field_at(k);
         char words[128] = "";
         for (const struct scene_word *w = f->words; w != NULL && w->word != NULL; ++w)
-            append(append(words, sizeof words, w == f->words ? ": " : ", "), sizeof words, w->word);
+            quote_append(quote_append(words, sizeof words, w == f->words ? ": " : ", "), sizeof words, w->word);
         fprintf(file, "%s\t%s (%s%s%s%s). %s\n", f->path, f->about, kinds[f->kind], words, ranges[f->range],
                 f->need == SCENE_MUST ? ", needed" : "", f->says);
     }

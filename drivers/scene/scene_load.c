@@ -33,7 +33,7 @@ __attribute__((format(printf, 4, 5))) static int fail(const struct load *load, c
 /** On to the next part of the text. Returns 0, or -1 if there is none. */
 static int step(struct load *load)
 {
-    if (yaml_next(&load->yaml) != YAML_REFUSED)
+    if (scene_yaml_next(&load->yaml) != YAML_REFUSED)
         return 0;
     return scene_reader_say(load->reader, load->set, &load->yaml.place, load->path, load->problem.text);
 }
@@ -146,7 +146,7 @@ static int load_items(struct load *load, const struct scene_field *field, struct
                        ? 0
                        : fail(load, &place, path, "%lu values in a list of %s", n, list_words(field, words));
         snprintf(item, sizeof item, "[%lu]", n);
-        append(append(item_path, sizeof item_path, path), sizeof item_path, item);
+        quote_append(quote_append(item_path, sizeof item_path, path), sizeof item_path, item);
         if (load_items(load, field, value, dimension - 1, item_path) != 0)
             return -1;
     }
@@ -174,9 +174,9 @@ static int load_value(struct load *load, const struct scene_field *field, struct
 static int fail_unknown(struct load *load, const char *section, const char *key)
 {
     char list[LIST_SIZE], shown[QUOTE_SIZE], path[SCENE_KEYS_SIZE] = "";
-    append(append(path, sizeof path, section), sizeof path, section[0] != '\0' ? "." : "");
+    quote_append(quote_append(path, sizeof path, section), sizeof path, section[0] != '\0' ? "." : "");
     quote(shown, sizeof shown, key);
-    append(path, sizeof path, load->set == NULL ? shown : key);
+    quote_append(path, sizeof path, load->set == NULL ? shown : key);
     return fail(load, &load->yaml.place, path, "unknown key '%s'; known %s%s: %s", shown,
                 section[0] != '\0' ? "in " : "here", section, scene_field_list(section, list, sizeof list));
 }
@@ -250,7 +250,7 @@ static int load_scene(struct load *load)
 /** The whole text as the value of a row of the table; NULL: as the scene. */
 static int load_text(struct load *load, const char *text, size_t size, const struct scene_field *field)
 {
-    yaml_open(&load->yaml, text, size, &load->problem);
+    scene_yaml_open(&load->yaml, text, size, &load->problem);
     int result = step(load);
     if (result == 0 && is_nothing(&load->yaml, field))
         result = fail_nothing(load);
@@ -258,7 +258,7 @@ static int load_text(struct load *load, const char *text, size_t size, const str
         result = field != NULL ? load_value(load, field, load->yaml.place) : load_scene(load);
     if (result == 0)
         result = step(load); /* the end, or a second document */
-    yaml_close(&load->yaml);
+    scene_yaml_close(&load->yaml);
     return result;
 }
 
@@ -269,7 +269,7 @@ static int fail_unknown_path(struct load *load)
 {
     char section[SCENE_KEYS_SIZE] = "";
     const struct scene_field *field;
-    append(section, sizeof section, load->path);
+    quote_append(section, sizeof section, load->path);
     do {
         scene_path_up(section);
         field = scene_field_find(section);
@@ -282,7 +282,7 @@ static int fail_unknown_path(struct load *load)
 static void give_sections(const struct load *load)
 {
     char section[SCENE_KEYS_SIZE] = "";
-    append(section, sizeof section, load->path);
+    quote_append(section, sizeof section, load->path);
     for (scene_path_up(section); section[0] != '\0'; scene_path_up(section)) {
         struct scene_value *value = scene_reader_at(load->reader, section);
         if (value->given && value->set == NULL)

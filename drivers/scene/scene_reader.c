@@ -144,7 +144,7 @@ int scene_reader_say(const struct scene_reader *reader, const char *set, const s
 static const struct scene_value *given_around(const struct scene_reader *reader, const char *path)
 {
     char at[SCENE_KEYS_SIZE] = "";
-    append(at, sizeof at, path);
+    quote_append(at, sizeof at, path);
     for (; at[0] != '\0'; scene_path_up(at))
         if (scene_reader_has(reader, at))
             return scene_reader_at(reader, at);
@@ -175,6 +175,6 @@ int scene_reader_fail_item(const struct scene_reader *reader, const struct scene
     va_start(arguments, format);
     message_set_list(&said, format, arguments);
     va_end(arguments);
-    append(append(path, sizeof path, field->path), sizeof path, part);
+    quote_append(quote_append(path, sizeof path, field->path), sizeof path, part);
     return scene_reader_say(reader, value->set, &value->items[item].place, path, said.text);
 }

@@ -50,12 +50,12 @@ struct yaml {
     struct fy_event *event;
 };
 
-/** Starts on a text, which must stay until yaml_close; problem gets the reason of a refusal. The first part follows by
- *  yaml_next. yaml_close must follow in any case. */
-void yaml_open(struct yaml *yaml, const char *text, size_t size, struct message *problem);
+/** Starts on a text, which must stay until scene_yaml_close; problem gets the reason of a refusal. The first part
+ *  follows by scene_yaml_next. scene_yaml_close must follow in any case. */
+void scene_yaml_open(struct yaml *yaml, const char *text, size_t size, struct message *problem);
 /** Goes on to the next part and returns it. A YAML_REFUSED stays one. */
-enum yaml_part yaml_next(struct yaml *yaml);
-void yaml_close(struct yaml *yaml);
+enum yaml_part scene_yaml_next(struct yaml *yaml);
+void scene_yaml_close(struct yaml *yaml);
 
 /* ---- the values -------------------------------------------------------------------------------------------------- */
 

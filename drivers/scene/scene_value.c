@@ -33,7 +33,7 @@ static int read_word(const struct scene_reader *reader, const struct scene_field
             *value = w->value;
             return 0;
         }
-        append(append(known, sizeof known, known[0] != '\0' ? ", " : ""), sizeof known, w->word);
+        quote_append(quote_append(known, sizeof known, known[0] != '\0' ? ", " : ""), sizeof known, w->word);
     }
     return scene_reader_fail(reader, field->path, "'%s' is not one of %s; take one of them",
                              quote(shown, sizeof shown, text), known);
@@ -62,7 +62,7 @@ static char *list_steppers(char *out, size_t size)
     out[0] = '\0';
     for (int64_t k = 0; scene_stepper_at(k) != NULL; ++k)
         if (scene_stepper_at(k)->frame == VTI_FRAME_SPACE)
-            append(append(out, size, out[0] != '\0' ? ", " : ""), size, scene_stepper_at(k)->name);
+            quote_append(quote_append(out, size, out[0] != '\0' ? ", " : ""), size, scene_stepper_at(k)->name);
     return out;
 }
 

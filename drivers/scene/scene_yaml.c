@@ -191,7 +191,7 @@ static int take(struct yaml *yaml, struct fy_event *event)
     }
 }
 
-enum yaml_part yaml_next(struct yaml *yaml)
+enum yaml_part scene_yaml_next(struct yaml *yaml)
 {
     while (yaml->part != YAML_REFUSED && yaml->part != YAML_END) {
         fy_parser_event_free(yaml->parser, yaml->event);
@@ -220,7 +220,7 @@ static int start_parser(struct yaml *yaml, const char *text, size_t size)
     return yaml->parser != NULL ? fy_parser_set_string(yaml->parser, text, size) : -1;
 }
 
-void yaml_open(struct yaml *yaml, const char *text, size_t size, struct message *problem)
+void scene_yaml_open(struct yaml *yaml, const char *text, size_t size, struct message *problem)
 {
     memset(yaml, 0, sizeof *yaml);
     yaml->problem = problem;
@@ -232,7 +232,7 @@ void yaml_open(struct yaml *yaml, const char *text, size_t size, struct message 
         refuse(yaml, wrong != NULL ? wrong : "out of memory");
 }
 
-void yaml_close(struct yaml *yaml)
+void scene_yaml_close(struct yaml *yaml)
 {
     if (yaml->parser != NULL) {
         fy_parser_event_free(yaml->parser, yaml->event);

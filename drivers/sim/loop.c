@@ -44,15 +44,15 @@ static int create_forks(struct run *run)
 {
     const int reads = run->stepper->lag != 0.0 ? OWN_V | OWN_OMEGA | OWN_SPIN : 0;
     const int probes = run->stepper->probe != NULL ? OWN_X | OWN_ALPHA : 0;
-    const int failed = fork_create(&run->reader, &run->model->bodies, reads);
-    return fork_create(&run->probe, &run->model->bodies, probes) | failed;
+    const int failed = state_fork_create(&run->reader, &run->model->bodies, reads);
+    return state_fork_create(&run->probe, &run->model->bodies, probes) | failed;
 }
 
 static const vti_bodies *read_bodies(struct run *run)
 {
     if (run->reader.own == 0)
         return &run->model->bodies;
-    fork_take(&run->reader, run->model->bodies);
+    state_fork_take(&run->reader, run->model->bodies);
     vti_step_sync(run->stepper, run->h, &run->reader.bodies);
     return &run->reader.bodies;
 }
@@ -167,18 +167,29 @@ static int show(struct run *run, int64_t step)
     return 0;
 }
 
-static int refused(const struct model *model, int status, const vti_fault *fault, const vti_stepper *stepper, double h,
-                   int64_t from, int64_t step, struct message *message)
+static int refused(const struct run *run, int status, const vti_fault *fault, int64_t from, int64_t step,
+                   struct message *message)
 {
+    const struct model *const model = run->model;
+    const double h = run->h;
     char place[64];
     if (step > from)
         snprintf(place, sizeof place, "step %lld (t = %.10g)", (long long)step, (double)(step - 1) * h);
     else
         snprintf(place, sizeof place, "the start (t = %.10g)", (double)from * h);
     if (status == VTI_E_TOO_LARGE)
-        return message_set(message, "%s at h = %s: %s: body %lld has h|Omega| = %.6g; %s", stepper->name, NUMBER(h),
-                           place, (long long)model_number(model, fault->body), fault->value, vti_status_text(status));
-    return message_set(message, "%s at h = %s: %s: %s", stepper->name, NUMBER(h), place, model_text(model, status));
+        return message_set(message, "%s at h = %s: %s: body %lld has h|Omega| = %.6g; %s", run->stepper->name,
+                           NUMBER(h), place, (long long)model_number(model, fault->body), fault->value,
+                           vti_status_text(status));
+    return message_set(message, "%s at h = %s: %s: %s", run->stepper->name, NUMBER(h), place,
+                       model_text(model, status));
+}
+
+int loop_never_looks(void *self, int64_t step)
+{
+    (void)self;
+    (void)step;
+    return 0;
 }
 
 /** Forces at the bodies' positions; at t = 0 velocities also move to where the method keeps them. */
@@ -229,5 +240,5 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
         status = finish(&run);
     free(run.reader.memory);
     free(run.probe.memory);
-    return status != VTI_OK ? refused(model, status, &fault, stepper, h, from, step, message) : stopped;
+    return status != VTI_OK ? refused(&run, status, &fault, from, step, message) : stopped;
 }

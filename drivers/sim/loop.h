@@ -21,6 +21,9 @@ struct observer {
     int (*wants)(void *self);
 };
 
+/** looks of an observer that looks at no velocities. */
+int loop_never_looks(void *self, int64_t step);
+
 /** Steps are counted in a double (t = step h), which holds whole numbers up to this. */
 #define LOOP_STEPS 0x1p53
 /** Whole steps of h that fit into t_end (to rounding): a run ends at loop_steps h, which is t_end if that is a multiple

@@ -5,6 +5,7 @@
 #include "hertz.h"
 #include "inertia.h"
 #include "model_parts.h"
+#include "plain.h"
 #include "random.h"
 
 /* ---- one block of memory ----------------------------------------------------------------------------------------- */
@@ -140,7 +141,7 @@ static vti_scalars property(double **block, int64_t n, const struct table *bodie
 /** m of a solid sphere. */
 static double ball(double density, double diameter)
 {
-    return density * (3.14159265358979323846 / 6.0) * diameter * diameter * diameter;
+    return density * (PLAIN_PI / 6.0) * diameter * diameter * diameter;
 }
 
 /** The template of body i, which has clumps. */

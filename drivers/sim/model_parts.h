@@ -4,7 +4,7 @@
 #define VTI_MODEL_PARTS_H
 
 #include "model.h"
-#include "table.h"
+#include "tables.h"
 
 /** Reads a table that the scene names, which must be CSV. */
 table_reader model_read_table;

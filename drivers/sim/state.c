@@ -102,7 +102,7 @@ static void owned(vti_bodies *b, vti_view *view[OWNED], vti_view *residual[WITH_
         residual[k] = low[k];
 }
 
-int fork_create(struct fork *fork, const vti_bodies *of, int own)
+int state_fork_create(struct fork *fork, const vti_bodies *of, int own)
 {
     vti_view *view[OWNED], *residual[WITH_RESIDUAL];
     *fork = (struct fork){*of, own, NULL};
@@ -121,7 +121,7 @@ int fork_create(struct fork *fork, const vti_bodies *of, int own)
     return vti_bodies_seal(&fork->bodies) == VTI_OK ? 0 : -1;
 }
 
-void fork_take(struct fork *fork, vti_bodies from)
+void state_fork_take(struct fork *fork, vti_bodies from)
 {
     vti_view *source[OWNED], *target[OWNED], *residual[WITH_RESIDUAL];
     owned(&from, source, residual);

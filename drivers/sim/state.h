@@ -42,8 +42,8 @@ struct fork {
 
 /** Makes bodies with memory of their own, zeros so far, for those views of the set that are there, without residuals,
  *  and with the views of *of for all else. Returns 0, or -1 if there is no memory. */
-int fork_create(struct fork *fork, const vti_bodies *of, int own);
+int state_fork_create(struct fork *fork, const vti_bodies *of, int own);
 /** Copies what the fork owns from bodies with the same views. */
-void fork_take(struct fork *fork, vti_bodies from);
+void state_fork_take(struct fork *fork, vti_bodies from);
 
 #endif

@@ -16,6 +16,15 @@ struct adapter {
     double spin[3 * VTI_CHECK_BODIES], moments[3 * VTI_CHECK_BODIES];
 };
 
+/** What the kit has its host advance: arrays of n bodies, with one moment of inertia each, or inertia is NULL. */
+struct asked {
+    int64_t n;
+    double *x, *v, *quat, *omega;
+    const double *mass, *inertia;
+    vti_check_forces *forces;
+    void *kit;
+};
+
 /** The attitude of body i, as alpha or quaternion, whichever the method holds. */
 static void attitude(const vti_bodies *b, int64_t i, double quat[4])
 {
@@ -48,34 +57,33 @@ static void ask(const void *self, const vti_bodies *b)
         }
 }
 
-static int set_up(struct adapter *g, int64_t n, const double *x, const double *v, const double *quat,
-                  const double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
+static int set_up(struct adapter *g, const struct asked *asked)
 {
-    const size_t size = (size_t)(3 * n) * sizeof *x;
+    const size_t size = (size_t)(3 * asked->n) * sizeof *asked->x;
     memset(g, 0, sizeof *g);
-    if (n < 1 || n > VTI_CHECK_BODIES)
+    if (asked->n < 1 || asked->n > VTI_CHECK_BODIES)
         return -1;
-    g->forces = forces;
-    g->kit = kit;
-    memcpy(g->x, x, size);
-    memcpy(g->v, v, size);
-    memcpy(g->omega, omega, size);
-    for (int64_t i = 0; i < n; ++i)
-        vti_rrv_from_quat_xyzw(quat + 4 * i, g->alpha + 3 * i);
+    g->forces = asked->forces;
+    g->kit = asked->kit;
+    memcpy(g->x, asked->x, size);
+    memcpy(g->v, asked->v, size);
+    memcpy(g->omega, asked->omega, size);
+    for (int64_t i = 0; i < asked->n; ++i)
+        vti_rrv_from_quat_xyzw(asked->quat + 4 * i, g->alpha + 3 * i);
     strcpy(g->scene.name, "vti-check");
     struct model *m = &g->model;
     m->scene = &g->scene;
     m->translates = m->turns = 1;
-    m->bodies = vti_bodies_none(n);
+    m->bodies = vti_bodies_none(asked->n);
     m->bodies.x = vti_view_packed(g->x);
     m->bodies.v = vti_view_packed(g->v);
     m->bodies.force = vti_view_packed(g->force);
     m->bodies.alpha = vti_view_packed(g->alpha);
     m->bodies.omega = vti_view_packed(g->omega);
     m->bodies.moment = vti_view_packed(g->moment);
-    m->bodies.mass = vti_scalars_array(mass);
-    if (inertia != NULL)
-        m->bodies.inertia = vti_scalars_array(inertia);
+    m->bodies.mass = vti_scalars_array(asked->mass);
+    if (asked->inertia != NULL)
+        m->bodies.inertia = vti_scalars_array(asked->inertia);
     m->effects[0].name = "vti-check";
     m->effects[0].apply = ask;
     /* the kit does not tell its springs: whoever wants a bound goes by h and the spins */
@@ -85,21 +93,20 @@ static int set_up(struct adapter *g, int64_t n, const double *x, const double *v
     return 0;
 }
 
-static void read_back(const vti_bodies *b, double *x, double *v, double *quat, double *omega)
+static void read_back(const vti_bodies *b, const struct asked *to)
 {
     for (int64_t i = 0; i < b->count; ++i) {
         for (int k = 0; k < 3; ++k) {
-            x[3 * i + k] = b->x.c[k][i * b->x.stride];
-            v[3 * i + k] = b->v.c[k][i * b->v.stride];
-            omega[3 * i + k] = b->omega.c[k][i * b->omega.stride];
+            to->x[3 * i + k] = b->x.c[k][i * b->x.stride];
+            to->v[3 * i + k] = b->v.c[k][i * b->v.stride];
+            to->omega[3 * i + k] = b->omega.c[k][i * b->omega.stride];
         }
-        attitude(b, i, quat + 4 * i);
+        attitude(b, i, to->quat + 4 * i);
     }
 }
 
 /** Steps the adapter's model and reads it back, omega from the view of it or, where there are moments, that of L. */
-static int go(struct adapter *adapter, const vti_stepper *stepper, double h, int64_t steps, double *x, double *v,
-              double *quat, double *omega)
+static int go(struct adapter *adapter, const vti_stepper *stepper, double h, int64_t steps, const struct asked *asked)
 {
     struct travel travel;
     struct message message;
@@ -110,7 +117,7 @@ static int go(struct adapter *adapter, const vti_stepper *stepper, double h, int
         vti_bodies b = travel_bodies(&travel);
         if (b.spin.c[0] != NULL)
             b.omega = b.spin;
-        read_back(&b, x, v, quat, omega);
+        read_back(&b, asked);
     }
     travel_destroy(&travel);
     return result;
@@ -119,18 +126,18 @@ static int go(struct adapter *adapter, const vti_stepper *stepper, double h, int
 int method_check_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
                          double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
+    const struct asked asked = {n, x, v, quat, omega, mass, inertia, forces, kit};
     struct adapter adapter;
-    if (set_up(&adapter, n, x, v, quat, omega, mass, inertia, forces, kit) != 0)
-        return -1;
-    return go(&adapter, self, h, steps, x, v, quat, omega);
+    return set_up(&adapter, &asked) != 0 ? -1 : go(&adapter, self, h, steps, &asked);
 }
 
 int method_check_advance_inertia(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
                                  double *spin, const double *mass, const double *moments, vti_check_forces *forces,
                                  void *kit)
 {
+    const struct asked asked = {n, x, v, quat, spin, mass, NULL, forces, kit};
     struct adapter adapter;
-    if (set_up(&adapter, n, x, v, quat, spin, mass, NULL, forces, kit) != 0)
+    if (set_up(&adapter, &asked) != 0)
         return -1;
     memcpy(adapter.spin, spin, (size_t)(3 * n) * sizeof *spin);
     memcpy(adapter.moments, moments, (size_t)(3 * n) * sizeof *moments);
@@ -138,5 +145,5 @@ int method_check_advance_inertia(void *self, double h, int64_t steps, int64_t n,
     adapter.model.bodies.moments = vti_view_packed(adapter.moments);
     if (vti_kick(0.0, &adapter.model.bodies) != VTI_OK) /* which shows Omega, for those who go by it */
         return -1;
-    return go(&adapter, self, h, steps, x, v, quat, spin);
+    return go(&adapter, self, h, steps, &asked);
 }

@@ -117,13 +117,6 @@ static int poll_see(void *self, int64_t step, double t, const vti_bodies *bodies
     return p->poll(p->self, step);
 }
 
-static int never_looks(void *self, int64_t step)
-{
-    (void)self;
-    (void)step;
-    return 0;
-}
-
 static int poll_on_the_way(void *self, double share)
 {
     const struct poller *p = self;
@@ -162,7 +155,7 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     measures.watch = (struct watch){poll_on_the_way, &poller};
     const struct observer observers[] = {
         {measure, &measures, 1, 0, measure_looks, NULL},
-        {poll_see, &poller, travel_pause(&run.travel, POLL_BODIES), 0, never_looks, NULL}};
+        {poll_see, &poller, travel_pause(&run.travel, POLL_BODIES), 0, loop_never_looks, NULL}};
     if (!failed)
         failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
     if (failed)

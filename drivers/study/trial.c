@@ -1,16 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _POSIX_C_SOURCE 200809L
 #include "trial.h"
 
 #include <string.h>
-#include <time.h>
 
-double trial_clock(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+#include "clock.h"
 
 int trial_begin(struct trial_run *run, const struct scene *scene, const struct trial *trial, struct message *message)
 {
@@ -27,9 +20,9 @@ int trial_begin(struct trial_run *run, const struct scene *scene, const struct t
 int trial_go(struct trial_run *run, int64_t until, const struct observer *observers, int observers_count,
              struct message *message)
 {
-    const double from = trial_clock();
+    const double from = clock_of_thread();
     const int result = travel_show(&run->travel, until - run->travel.steps, observers, observers_count, message);
-    run->seconds += trial_clock() - from;
+    run->seconds += clock_of_thread() - from;
     return result;
 }
 

@@ -38,8 +38,4 @@ void trial_end(struct trial_run *run);
  *  that choose their steps, which a look cuts, a 64th of the run. */
 int64_t trial_look_every(const struct trial *trial);
 
-/** Processor time of this thread in seconds: what the clock would say on a core of one's own, whatever else runs
- *  here. */
-double trial_clock(void);
-
 #endif

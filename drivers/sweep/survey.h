@@ -10,7 +10,7 @@
 #include "store.h"
 #include "study.h"
 #include "sweep.h"
-#include "table.h"
+#include "tables.h"
 
 enum { SURVEY_SCENES = 32, SURVEY_REASON = 240 };
 

@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "digest.h"
-#include "kind.h"
 #include "quote.h"
 
 static int check_bodies(const struct table *t, struct message *message);
@@ -41,56 +39,6 @@ static const struct table_column bodies[] = {{"x", TABLE_ANY},
 const struct table_kind table_bodies = {"bodies", "the scene's table of bodies", bodies,
                                         sizeof bodies / sizeof bodies[0], check_bodies};
 
-/* ---- the tables of a scene --------------------------------------------------------------------------------------- */
-
-const char *tables_path(const struct scene *scene, int k)
-{
-    const struct effect_kind *kind = kinds_at(k - 1);
-    const char *path = k == 0 ? scene->table : "";
-    for (int f = 0; kind != NULL && f < kind->fields_count; ++f)
-        if (kind->fields[f].kind == SCENE_PATH)
-            path = (const char *)kinds_settings_of(kind, &scene->settings) + kind->fields[f].offset;
-    return path;
-}
-
-const struct table_kind *tables_kind(int k)
-{
-    return k == 0 ? &table_bodies : kinds_at(k - 1)->table;
-}
-
-static struct table *tables_at(struct tables *tables, int k)
-{
-    return k == 0 ? &tables->bodies : &tables->effect[k - 1];
-}
-
-int tables_read_by(table_reader *read, const struct scene *scene, struct tables *tables, struct message *message)
-{
-    int result = 0;
-    memset(tables, 0, sizeof *tables);
-    for (int k = 0; k < TABLES && result == 0; ++k)
-        if (tables_path(scene, k)[0] != '\0')
-            result = read(tables_path(scene, k), tables_kind(k), tables_at(tables, k), message);
-    return result;
-}
-
-void tables_destroy(struct tables *tables)
-{
-    for (int k = 0; k < TABLES; ++k)
-        table_destroy(tables_at(tables, k));
-}
-
-uint64_t tables_digest(const struct tables *tables, int k)
-{
-    const struct table *table = k == 0 ? &tables->bodies : &tables->effect[k - 1];
-    uint64_t digest = DIGEST_START;
-    for (int64_t c = 0; c < TABLE_COLUMNS; ++c)
-        if (table_has(table, (int)c)) {
-            digest = digest_add(digest, &c, sizeof c);
-            digest = digest_add(digest, table->column[c], sizeof(double) * (size_t)table->rows);
-        }
-    return digest;
-}
-
 /* ---- columns ----------------------------------------------------------------------------------------------------- */
 
 const char *table_column(const struct table_kind *kind, int k)
@@ -110,7 +58,7 @@ char *table_list(const struct table_kind *kind, char *out, size_t size)
 {
     out[0] = '\0';
     for (int k = 0; table_column(kind, k) != NULL; ++k)
-        append(append(out, size, k > 0 ? ", " : ""), size, table_column(kind, k));
+        quote_append(quote_append(out, size, k > 0 ? ", " : ""), size, table_column(kind, k));
     return out;
 }
 

@@ -8,9 +8,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "scene.h"
+#include "message.h"
 
 struct table;
+
+/** Of the path of a file, the ending 0 included. */
+enum { TABLE_PATH_SIZE = 512 };
+
+/** No table has more rows: beyond, memory ends anyway, and products of counts stay far from their ends. */
+enum { TABLE_ROWS_MAX = 100000000 };
 
 /** What numbers a column may hold; TABLE_INDEX: bodies, whole ones from 0; TABLE_COUNT: other whole ones from 0. */
 enum table_range { TABLE_ANY, TABLE_POSITIVE, TABLE_NOT_NEGATIVE, TABLE_INDEX, TABLE_COUNT };
@@ -55,33 +61,14 @@ enum { TABLE_COLUMNS = 24 };
 
 struct table {
     const struct table_kind *kind;
-    char path[SCENE_PATH_SIZE];
+    char path[TABLE_PATH_SIZE];
     int has_lines; /* row k stands on line k + 2, behind a line of names */
     int64_t rows, capacity;
     double *column[TABLE_COLUMNS]; /* [rows]; NULL if the table lacks it */
 };
 
-/** The tables that a scene names; a table that it does not name has no rows and no columns. */
-struct tables {
-    struct table bodies, effect[EFFECT_COUNT];
-    const int64_t *number; /* [bodies] as people know them (renumber.h); NULL: by their rows */
-};
-
-/** Table k of the scene, k < TABLES: that of the bodies, then those of the effects. Its path is "" if the scene names
- *  none. */
-enum { TABLES = 1 + EFFECT_COUNT };
-const char *tables_path(const struct scene *scene, int k);
-/** What it is of; NULL for an effect that has no table. */
-const struct table_kind *tables_kind(int k);
-
 /** Reads one table from a file: table_csv_read and the like. */
 typedef int table_reader(const char *path, const struct table_kind *kind, struct table *table, struct message *message);
-/** Reads all tables of the scene. Returns 0, or -1 with one line in *message; tables_destroy must follow in either
- *  case. */
-int tables_read_by(table_reader *read, const struct scene *scene, struct tables *tables, struct message *message);
-void tables_destroy(struct tables *tables);
-/** Of what table k holds, wherever it lies (digest.h). */
-uint64_t tables_digest(const struct tables *tables, int k);
 
 /** The name of column k, NULL behind the last. */
 const char *table_column(const struct table_kind *kind, int k);

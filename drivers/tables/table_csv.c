@@ -151,7 +151,7 @@ static int read_row(struct csv *csv)
                  n == 1 ? "" : "s", csv->width, csv->width == 1 ? "" : "s");
         return fail(csv, NULL, text);
     }
-    if (csv->table->rows == SCENE_BODIES_MAX || table_reserve(csv->table, csv->table->rows + 1) != 0)
+    if (csv->table->rows == TABLE_ROWS_MAX || table_reserve(csv->table, csv->table->rows + 1) != 0)
         return fail(csv, NULL, "out of memory; give fewer rows");
     for (int k = 0; k < csv->width; ++k)
         if (read_value(csv, csv->order[k], cut(&next)) != 0)

@@ -171,13 +171,13 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
     double fastest = 0.0;
     if (v->model->scene->tolerance > 0.0) /* h is not that of the steps */
         return 0;
-    const double rounding = v->model->translates ? verdict_rounding(v, bodies, &fastest) : 0.0;
+    const double rounding = v->model->translates ? places_rounding(v, bodies, &fastest) : 0.0;
     if (rounding > much_rounding)
         message_set(&lines[n++],
                     "bodies are so far from the origin that rounding takes up to %.2g of their displacement in a "
                     "step; move the origin nearer, or take a larger h",
                     rounding);
-    const double far = v->diameter > 0.0 ? verdict_travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
+    const double far = v->diameter > 0.0 ? places_travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
     if (far > much_travel(v))
         message_set(&lines[n++],
                     "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; reduce h to "

@@ -13,7 +13,7 @@ int modified_exists(const vti_stepper *s, const struct model *model)
 int modified_create(struct modified *m, struct model *model, const vti_stepper *stepper, double h)
 {
     *m = (struct modified){.model = model, .stepper = stepper, .h = h};
-    return fork_create(&m->probe, &model->bodies, modified_exists(stepper, model) ? OWN_ALL : 0);
+    return state_fork_create(&m->probe, &model->bodies, modified_exists(stepper, model) ? OWN_ALL : 0);
 }
 
 void modified_destroy(struct modified *m)
@@ -86,7 +86,7 @@ struct energies modified_energies(struct modified *m, const vti_bodies *bodies, 
     /* the difference along a drift of t errs by t omega/2 of itself: little beside (h omega)^2, which the series leaves
      * out */
     const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
-    fork_take(&m->probe, *bodies);
+    state_fork_take(&m->probe, *bodies);
     /* velocities to the middle of the step's two kicks, where VTI-3 is VTI-2 */
     if (late != 0.0)
         vti_kick(late * m->h, p);

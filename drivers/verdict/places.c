@@ -35,7 +35,7 @@ static double approach(const struct model *model, const double x[3], const doubl
     return most;
 }
 
-double verdict_travel(const struct verdict *v, const vti_bodies *bodies)
+double places_travel(const struct verdict *v, const vti_bodies *bodies)
 {
     const vti_clumps *clumps = &v->model->clumps.list;
     const vti_bodies *spheres = clumps->count > 0 ? &clumps->spheres : bodies;
@@ -65,7 +65,7 @@ static double largest_of(const vti_view *view, int64_t i)
     return fmax(fmax(fabs(view->c[0][at]), fabs(view->c[1][at])), fabs(view->c[2][at]));
 }
 
-double verdict_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest)
+double places_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest)
 {
     double most = 0.0;
     for (int64_t i = 0; i < bodies->count; ++i)

@@ -3,7 +3,9 @@
 
 #include <stddef.h>
 
-static const double pi = 3.14159265358979323846;
+#include "plain.h"
+
+static const double pi = PLAIN_PI;
 
 /** The angle of the point (x, y), in [0, 2 pi). */
 static double direction(double x, double y)

@@ -156,9 +156,9 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     f->booked = fmax(f->booked, booked);
     look_at_energies(v, t, total, e.kicked, e.modified);
     if (v->diameter > 0.0)
-        f->travel = number_larger(f->travel, verdict_travel(v, bodies));
+        f->travel = number_larger(f->travel, places_travel(v, bodies));
     if (v->model->translates)
-        f->rounding = fmax(f->rounding, verdict_rounding(v, bodies, &f->fastest));
+        f->rounding = fmax(f->rounding, places_rounding(v, bodies, &f->fastest));
     f->deepest = fmax(f->deepest, stability_deepest(v->model, bodies));
     f->rotation = number_larger(f->rotation, vti_max_turn(v->h, bodies));
     const double longest = v->model->scene->tolerance > 0.0 ? INFINITY : v->h;

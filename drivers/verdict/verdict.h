@@ -54,7 +54,7 @@ struct judgement {
     double energy_slope; /* of the modified energy, of H where there is none, over time (trend_slope) */
     double energy_slope_error; /* its standard error */
     double energy_scale;       /* S */
-    double travel;             /* verdict_travel, the largest; NaN where bodies do not meet */
+    double travel;             /* places_travel, the largest; NaN where bodies do not meet */
     double rotation;           /* largest h|Omega|, radians */
     double angle_error;        /* turning_error of that */
     double stable_step;        /* the stepper's least, as contacts came; infinite if nothing oscillates */
@@ -96,7 +96,7 @@ struct findings {
     double force2;          /* the square of the largest force on a body at a look between rows */
     double slowing;      /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
     double slowing_free; /* the same of drag, of what moves, be it pushed or not */
-    double rounding, fastest; /* verdict_rounding, the largest; the largest speed along an axis */
+    double rounding, fastest; /* places_rounding, the largest; the largest speed along an axis */
     struct trend trend;
 };
 

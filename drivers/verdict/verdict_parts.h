@@ -36,10 +36,10 @@ void stability_step(struct verdict *v, double t, const vti_bodies *bodies);
  *  they touch each other, u being the velocity of their centre of mass, so that two come nearer by no more than twice
  *  that; and the largest h|(v - V).N| at walls, of velocity V and with the normal N at the body. Of spheres of clumps,
  *  which also swing about their body's centre, a bound. */
-double verdict_travel(const struct verdict *v, const vti_bodies *bodies);
+double places_travel(const struct verdict *v, const vti_bodies *bodies);
 
 /** The largest share of its way h|v| that rounding may take from a body in a step, or add to it: half the spacing of
  *  doubles at its place, of bodies that move by more than a hundredth of *fastest, the largest speed so far. */
-double verdict_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest);
+double places_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest);
 
 #endif

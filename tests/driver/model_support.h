@@ -45,8 +45,8 @@ static inline void assert_effects(const struct model *model, const char *names)
 {
     char list[256] = "";
     for (int64_t e = 0; e < model->effects_count; ++e) {
-        append(list, sizeof list, e > 0 ? " " : "");
-        append(list, sizeof list, model->effects[e].name);
+        quote_append(list, sizeof list, e > 0 ? " " : "");
+        quote_append(list, sizeof list, model->effects[e].name);
     }
     assert_string_equal(list, names);
 }
@@ -57,8 +57,8 @@ static inline void assert_invariants(const struct model *model, const char *name
     char list[256] = "";
     const int64_t n = model_invariants(model, invariant);
     for (int64_t k = 0; k < n; ++k) {
-        append(list, sizeof list, k > 0 ? " " : "");
-        append(list, sizeof list, invariant[k].name);
+        quote_append(list, sizeof list, k > 0 ? " " : "");
+        quote_append(list, sizeof list, invariant[k].name);
     }
     assert_string_equal(list, names);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What drivers/scene/plain.h gives for the lines of stdin, in hexadecimal: "cos r k n", "sin r k n", "power a b", "log2
+ * What drivers/text/plain.h gives for the lines of stdin, in hexadecimal: "cos r k n", "sin r k n", "power a b", "log2
  * a", "exp2 a". */
 #include <inttypes.h>
 #include <stdio.h>

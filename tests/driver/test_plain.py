@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The elementary functions of drivers/scene/plain.h against mpmath: results are the nearest doubles, mirror images are
+"""The elementary functions of drivers/text/plain.h against mpmath: results are the nearest doubles, mirror images are
 exact.
 
     test_plain.py PLAIN_VALUES

@@ -345,7 +345,7 @@ TEST(too_many_planes)
     assert_non_null(text);
     snprintf(text, SIZE, "%s", POINT TIME "wall:\n  stiffness: 1\n  planes:\n");
     for (int k = 0; k < SCENE_PLANES_MAX + 1; ++k)
-        append(text, SIZE, "  - [1, 0, 0, 0]\n");
+        quote_append(text, SIZE, "  - [1, 0, 0, 0]\n");
     write_text("t.yaml", text);
     free(text);
     assert_refused("257 planes", scene_read("t.yaml", NULL, 0, &scene, &message), &message,

@@ -61,7 +61,7 @@ TEST(sizes)
                                             .dump = cases[k].dump};
         if (run_open(&request, &run, &message) != 0)
             fail_msg("%s", message.text);
-        const struct run_sizes told = run_sizes(&run);
+        const struct run_sizes told = sizes_of(&run);
         if (run_go(&run, &watch, &message) != RUN_COMPLETE)
             fail_msg("%s", message.text);
         double all = 0.0;
@@ -81,9 +81,9 @@ TEST(sizes)
 TEST(words)
 {
     char text[32];
-    assert_string_equal(size_text(1.23e8, text), "123 MB");
-    assert_string_equal(size_text(2.314e9, text), "2.31 GB");
-    assert_string_equal(size_text(1.5e12, text), "1.5 TB");
+    assert_string_equal(sizes_text(1.23e8, text), "123 MB");
+    assert_string_equal(sizes_text(2.314e9, text), "2.31 GB");
+    assert_string_equal(sizes_text(1.5e12, text), "1.5 TB");
 }
 
 TEST(space)

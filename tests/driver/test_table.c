@@ -4,7 +4,7 @@
 #include "model_support.h"
 
 #include "binder.h"
-#include "table.h"
+#include "tables.h"
 #include "table_csv.h"
 
 #define HOLD " is too small or too large to hold; give a number from 5e-324 to 1.79e308 in size, or 0"

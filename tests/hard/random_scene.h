@@ -34,7 +34,7 @@ static inline void say(char *text, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    append(text, TEXT_SIZE, line);
+    quote_append(text, TEXT_SIZE, line);
 }
 
 static inline void pendulum_text(rng *g, char *text)

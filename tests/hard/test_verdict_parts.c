@@ -240,7 +240,7 @@ static void verdict_over(void)
 
 static double travel_of(const char *bodies, const char *effects)
 {
-    const double travel = verdict_travel(verdict_of(bodies, effects, "0.01"), &model_at_start.bodies);
+    const double travel = places_travel(verdict_of(bodies, effects, "0.01"), &model_at_start.bodies);
     verdict_over();
     return travel;
 }

@@ -26,15 +26,15 @@ TEST(names)
 {
     static const char *const base[] = {"srkn11", "srkn14", "srkn6"};
     for (int64_t i = 0; i < 3; ++i) {
-        const vti_stepper *way = &controlled_at(i)->stepper;
+        const vti_stepper *way = &tolerance_at(i)->stepper;
         assert_ptr_equal(method_controlled(method_of(base[i])), way);
         assert_ptr_equal(method_controlled(way), way);
         assert_ptr_equal(method_of(way->name), way);
         assert_string_equal(method_kind(way), "ours");
         assert_int_equal(way->order, method_of(base[i])->order);
     }
-    assert_null(controlled_at(-1));
-    assert_null(controlled_at(3));
+    assert_null(tolerance_at(-1));
+    assert_null(tolerance_at(3));
     assert_null(method_controlled(method_of("vti2")));
     assert_null(method_controlled(method_of("an9")));
 }
@@ -50,14 +50,14 @@ TEST(errors_go_with_the_tolerance)
             struct journey j;
             const double tolerance = level == 0 ? 1e-5 : 1e-8;
             const struct travel_tally tally =
-                arrive(&j, "chain", controlled_at(i)->stepper.name, tolerance, 1.0 / 4, 16);
+                arrive(&j, "chain", tolerance_at(i)->stepper.name, tolerance, 1.0 / 4, 16);
             if (truth == NULL)
                 reference = reference_of(&j.scene, 4.0, &truth);
             const vti_bodies b = travel_bodies(&j.travel);
             error[level][0] = attitude_distance(&b, &reference);
             error[level][1] = velocity_distance(&b, &reference);
             print_message("%s, tolerance %g: %d steps, %d undone: attitudes to %.2e, velocities to %.2e\n",
-                          controlled_at(i)->stepper.name, tolerance, (int)tally.accepted, (int)tally.rejected,
+                          tolerance_at(i)->stepper.name, tolerance, (int)tally.accepted, (int)tally.rejected,
                           error[level][0], error[level][1]);
             assert_true(error[level][0] < 4.0 * tolerance && error[level][1] < 40.0 * tolerance);
             end(&j);
@@ -220,7 +220,7 @@ TEST(grazing)
         end(&j);
         assert_true(after[1] < c->after);
         for (int n = 0; n < 48; ++n) {
-            graze(&j, folder, c, &controlled_at(n % 2 * 2)->stepper, 1e-6, c->h[1], 10.3 + 0.03 * n);
+            graze(&j, folder, c, &tolerance_at(n % 2 * 2)->stepper, 1e-6, c->h[1], 10.3 + 0.03 * n);
             const vti_bodies b = travel_bodies(&j.travel);
             for (int k = 0; k < 3; ++k)
                 assert_close(b.v.c[k][0], after[k], c->tolerance);
@@ -274,7 +274,7 @@ TEST(ceiling)
         end(&j);
         assert_true(after < speed - 4.0 - 0.01); /* as free flight has it, and the touch */
         for (int k = 0; k < 3; k += 2) {         /* srkn11 and srkn6 */
-            throw_up(&j, folder, &controlled_at(k)->stepper, 1e-7, 0.125, speed);
+            throw_up(&j, folder, &tolerance_at(k)->stepper, 1e-7, 0.125, speed);
             assert_close(j.model.bodies.v.c[2][0], after, 1e-5);
             end(&j);
         }
@@ -300,7 +300,7 @@ TEST(wanted_sooner)
         struct scene scene;
         read_scene("chain", &scene);
         scene.tolerance = 1e-8;
-        assert_impatience_changes_nothing(&scene, &controlled_at(i)->stepper);
+        assert_impatience_changes_nothing(&scene, &tolerance_at(i)->stepper);
     }
 }
 

@@ -324,9 +324,9 @@ TEST(looking)
         assert_undisturbed(method_at(i), "pendulum", 1.0 / 16);
         assert_undisturbed(method_at(i), "chain", 1.0 / 512);
     }
-    for (int64_t i = 0; controlled_at(i) != NULL; ++i) {
-        assert_undisturbed(&controlled_at(i)->stepper, "pendulum", 1.0 / 16);
-        assert_undisturbed(&controlled_at(i)->stepper, "chain", 1.0 / 64);
+    for (int64_t i = 0; tolerance_at(i) != NULL; ++i) {
+        assert_undisturbed(&tolerance_at(i)->stepper, "pendulum", 1.0 / 16);
+        assert_undisturbed(&tolerance_at(i)->stepper, "chain", 1.0 / 64);
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "kind.h"
 #include "model.h"
-#include "table.h"
+#include "tables.h"
 
 /** What bonds bear, in the order of the columns and of the members of vti_rupture. */
 enum { LIMIT_STRETCH, LIMIT_NORMAL, LIMIT_SHEAR, LIMIT_BENDING, LIMIT_TORSION, LIMIT_ENERGY, LIMITS };

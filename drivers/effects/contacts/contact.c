@@ -9,7 +9,7 @@
 #include "model.h"
 #include "scene_reader.h"
 #include "shape.h"
-#include "table.h"
+#include "tables.h"
 
 struct contact_settings {
     double stiffness;      /* 0: that of a material */

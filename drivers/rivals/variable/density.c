@@ -150,7 +150,7 @@ static void make(const vti_stepper *s, int naive, int64_t i)
     varied[naive][i] = engine;
 }
 
-const struct rival *varied_at(int64_t i, int naive)
+const struct rival *density_at(int64_t i, int naive)
 {
     int64_t fit = 0;
     for (int64_t k = 0; k < vti_stepper_count() && k < MOST; ++k) {

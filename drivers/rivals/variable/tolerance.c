@@ -245,7 +245,7 @@ static void tally_controlled(const struct course *c, struct travel_tally *tally)
     tally->tolerance = number[TOLERANCE];
 }
 
-const struct rival *controlled_at(int64_t i)
+const struct rival *tolerance_at(int64_t i)
 {
     static const char *const by[CONTROLLED] = {"srkn11", "srkn14", "srkn6"};
     static const char *const names[CONTROLLED] = {"srkn11-tol", "srkn14-tol", "srkn6-tol"};

@@ -6,7 +6,7 @@
 
 #include "../../settings.h"
 #include "loop.h"
-#include "table.h"
+#include "tables.h"
 
 enum { BODIES = 300, STEPS = 3 };
 

@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "clock.h"
 #include "plain.h"
 
 /* the solution is known to this share of the error asked for */
@@ -135,7 +136,7 @@ int search_solution(struct search *s, double share)
     s->advice->order = s->advice->known = NAN;
     s->purse.most = whole.work + share * (whole.most - whole.work);
     if (isfinite(whole.until))
-        s->purse.until = whole.until - (1.0 - share) * fmax(whole.until - purse_clock(), 0.0);
+        s->purse.until = whole.until - (1.0 - share) * fmax(whole.until - clock_now(), 0.0);
     const int result = refine(s, measure, s->target, &r);
     s->purse.most = whole.most;
     s->purse.until = whole.until;

@@ -16,17 +16,17 @@ static int64_t methods_count, methods_all; /* those that are listed, and with th
 
 static const struct rival *integrating_at(int64_t i)
 {
-    return varied_at(i, 0);
+    return density_at(i, 0);
 }
 
 static const struct rival *naive_at(int64_t i)
 {
-    return varied_at(i, 1);
+    return density_at(i, 1);
 }
 
 /** What there is beside the steppers of the core: first what is listed, then what scenes may name too, then what is
  *  found by name alone, and last what the control of a scene calls for. */
-static const struct rival *(*const families[])(int64_t) = {multistep_at,   rival_at,       controlled_at, rival_general,
+static const struct rival *(*const families[])(int64_t) = {multistep_at,   rival_at,       tolerance_at, rival_general,
                                                            rival_unlisted, integrating_at, naive_at};
 
 enum { MULTISTEP, LISTED_RIVAL, CONTROLLED, GENERAL, UNLISTED, INTEGRATING, NAIVE, FAMILIES };

@@ -10,6 +10,8 @@
 
 #include <stdint.h>
 
+#define PLAIN_PI 3.14159265358979323846
+
 /** r cos and r sin of k/n of a turn, 2 pi k/n, for 0 < n < 2^46 and |k| < 2^53. Mirror images are exact: k and n - k
  *  have the same cosine and opposite sines, quarter turns give 0 and +-r. */
 double plain_cos_turn(double r, int64_t k, int64_t n);

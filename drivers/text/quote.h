@@ -20,6 +20,6 @@ size_t quote_character(const char *text, size_t left);
 
 /** Appends text to what stands in out (size bytes, the terminating 0 included); what does not fit is dropped. Returns
  *  out. */
-char *append(char *out, size_t size, const char *text);
+char *quote_append(char *out, size_t size, const char *text);
 
 #endif

@@ -246,3 +246,9 @@ const char *number_text(double value, char text[NUMBER_TEXT])
         memcpy(text, shorter, sizeof shorter);
     return text;
 }
+
+int number_ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}

@@ -13,7 +13,7 @@
 
 #include "plain.h"
 
-double law_evals(const struct search *s, const vti_stepper *stepper)
+double search_law_evals(const struct search *s, const vti_stepper *stepper)
 {
     return 3.0 * (double)search_fewest(s, stepper) * pilot_evals(stepper);
 }

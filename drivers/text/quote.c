@@ -51,12 +51,12 @@ char *quote(char *out, size_t size, const char *text)
     memcpy(out, text, n);
     out[n] = '\0';
     if (cut)
-        append(out, size, dots);
+        quote_append(out, size, dots);
     replace_controls(out);
     return out;
 }
 
-char *append(char *out, size_t size, const char *text)
+char *quote_append(char *out, size_t size, const char *text)
 {
     const size_t used = strlen(out), n = strlen(text), room = size - 1 - used;
     memcpy(out + used, text, n < room ? n : room);

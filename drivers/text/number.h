@@ -38,6 +38,9 @@ static inline int number_divides(double a)
     return a > 0.0 && isfinite(a) && isfinite(1.0 / a);
 }
 
+/** For qsort: doubles, none of them NaN, by size. */
+int number_ascending(const void *a, const void *b);
+
 /** value, but NaN without a sign: printf writes -nan where the processor has set one, as x86-64 does in 0/0. */
 static inline double number_plain(double value)
 {
