@@ -296,9 +296,9 @@ static double distance(const struct outcome *a, const struct outcome *b, int n)
     return sqrt(sum);
 }
 
-/** Where dashpots would stop the slip at once and friction does not let them, the direction of what it leaves them turns
- *  within the flow, as bodies of three moments do not give way alike in all directions: velocities are of second order
- *  there too. Mean of impacts that begin anywhere in a step. */
+/** Where dashpots would stop the slip at once and friction does not let them, the direction of what it leaves them
+ *  turns within the flow, as bodies of three moments do not give way alike in all directions: velocities are of second
+ *  order there too. Mean of impacts that begin anywhere in a step. */
 TEST(limited_dashpots)
 {
     enum { LEVELS = 4, IMPACTS = 8 };
