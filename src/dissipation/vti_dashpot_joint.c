@@ -58,6 +58,29 @@ static double stop(const struct vti_joint_modes *modes, const double u[3], doubl
     return s < 1.0 ? vti_joint_lost(modes, u, p) : lost;
 }
 
+/** What the limits leave of the impulse of two modes, whose direction turns within the flow as they do not decay alike:
+ *  by the free impulse p_0 it turns otherwise than by p_1, which the limits have left of it, and taking it from u would
+ *  make velocities of first order (test clump_friction). From u + K (p_1 - p_0)/2, by which the velocity amid the flow
+ *  is that of p_1, the next one is of second order; where nothing is beyond the limits it is p_0. */
+static void limit_two(const struct sweep *s, const struct place *at, int motion, const struct vti_joint_modes *modes,
+                      const double c[3], const double u[3], double p[3])
+{
+    const double free[3] = {p[0], p[1], p[2]};
+    double amid[3] = {u[0], u[1], u[2]};
+    limit(s, at, motion, p);
+    if (p[0] == free[0] && p[1] == free[1] && p[2] == free[2])
+        return;
+    for (int m = 0; m < modes->count; ++m) {
+        double change = 0.0;
+        for (int k = 0; k < 3; ++k)
+            change += 0.5 * modes->inverse_mass[m] * (p[k] - free[k]) * modes->along[m][k];
+        for (int k = 0; k < 3; ++k)
+            amid[k] += change * modes->along[m][k];
+    }
+    vti_joint_decay(modes, c, s->t, amid, p);
+    limit(s, at, motion, p);
+}
+
 static void flow_of(const struct sweep *s, struct place *at, int motion)
 {
     const int turns = motion >= VTI_ROLLING, along = motion == VTI_NORMAL || motion == VTI_TWISTING;
@@ -67,7 +90,10 @@ static void flow_of(const struct sweep *s, struct place *at, int motion)
     vti_joint_modes_of(&at->joint, turns, along ? 1 : 2, (const double(*)[3])at->span + !along, &modes);
     vti_joint_velocity(&at->joint, turns, u);
     vti_joint_decay(&modes, c, s->t, u, p);
-    limit(s, at, motion, p);
+    if (along)
+        limit(s, at, motion, p);
+    else
+        limit_two(s, at, motion, &modes, c, u, p);
     const double lost = stop(&modes, u, p);
     vti_sum_add(&s->p->lost[motion], lost);
     if (s->p->by_body != NULL)
