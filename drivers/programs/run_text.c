@@ -115,7 +115,7 @@ static void say_notes(const struct run *run, FILE *file)
 }
 
 /** The disk that files take, where that is much, and whether it is there. */
-static void say_files(const struct run *run, FILE *file)
+static void say_files(struct run *run, FILE *file)
 {
     const double much = 1e8;
     const struct run_sizes sizes = run_sizes(run);

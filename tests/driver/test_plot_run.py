@@ -607,6 +607,11 @@ def test_painted(_program, _folder):
         made = _canvas(lambda _: [painted.Painted(*each, scenery.RIM, rim)], 24)
         differ = np.abs((made - drawn).reshape(100, 6, 100, 6, 3).mean(axis=(1, 3))) / 255
         assert np.mean(differ) < 0.02 and np.max(differ) < 0.2, f"{name}: {np.mean(differ):.3f} on the mean, {np.max(differ):.3f} at most"
+    # so many that they lie everywhere on others: nothing shines through, though those that no pixel shows are left out
+    centres, half = random.uniform(0, 200, (100000, 2)).astype(np.float32), np.full((100000, 2), 4, np.float32)
+    assert 81 * 9 * len(centres) > painted.CHEAP
+    made = painted.image((200, 200), centres, half, None, 0.3, painted.rgba(["#000000", "#0000FF", *["#FF0000"] * len(centres)]))
+    assert np.all(made[10:-10, 10:-10, 3] == 255), f"{np.sum(made[10:-10, 10:-10, 3] < 255)} pixels are not covered"
 
 
 def test_many(program, folder):

@@ -114,6 +114,8 @@ def unasked(base):
         file.write("bodies: {lattice: {counts: [30, 30, 30], spacing: 1}, mass: 1, v: [1, 0, 0], omega: [0, 0, 1]}\nh: 1e-3\nt_end: 1e4\n")
 
     def found(*options, after=0):
+        if "--resume" not in options and os.path.exists(f"{folder}/long.run"):
+            os.remove(f"{folder}/long.run")
         said = start(base, *options, scene=scene, folder=folder, after=after)
         frames = re.search(r"^a row every .* a frame every (\d+ )?steps? .*; files of some ([\d.]+) MB,.*$", said, re.MULTILINE)
         fewer = re.search(r"^note: (\d+) frames, .* 500 MB of files; --frames EVERY ", said, re.MULTILINE)
@@ -126,10 +128,13 @@ def unasked(base):
             found(after=after)
     again, less, note = found("--no-dump", "--resume")
     check(again == every and less < size and note is None, f"--resume keeps the frames that it began with: one every {again}, {less} MB")
-    os.remove(f"{folder}/long.run")
     without = found("--no-dump")
     check(without[0] < every and without[1] < 500, f"without the dump there are more frames: {without}")
     check(found("--set", "bodies.lattice.counts=[120, 120, 120]", "--t-end", "1e4", "--no-dump")[::2] == (10**7, 2), "of more bodies than fit, two")
+    done = run(RUN, scene, "-o", f"{base}/size.h5", "--no-dump", "--set", "bodies.lattice.counts=[63, 63, 63]", "--t-end", "1e-3")
+    told, is_so = re.search(r"files of some ([\d.]+) MB", done.stdout), 1e-6 * os.path.getsize(f"{base}/size.h5")
+    check(told and abs(float(told[1]) / is_so - 1) < 0.1, f"what is said is so, with what --resume goes on from: {is_so:.0f} MB, {told and told[0]}")
+    os.remove(f"{base}/size.h5")
     asked = start(base, "--frames", "100000", scene=scene)
     check("a frame every 100000 steps" in asked and "; files of some 1.2" in asked and "note" not in asked, f"as many as are asked for: {asked}")
     few = start(base, "--set", "bodies.lattice.counts=[10, 10, 10]", scene=scene)
