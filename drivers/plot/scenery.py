@@ -188,12 +188,14 @@ def _with_colours(frames):
             fragment = _fragments(frame)
             sizes = np.bincount(fragment, minlength=len(frame.x))
             colour = _inherited(fragment, sizes, *before) if before else {}
-            for piece in sorted(np.flatnonzero(sizes > 1), key=lambda piece: -sizes[piece]):
+            held = [0] * len(FRAGMENTS)
+            for other, index in colour.items():
+                held[index] += int(sizes[other])
+            several = np.flatnonzero(sizes > 1)
+            for piece in several[np.argsort(-sizes[several], kind="stable")].tolist():
                 if piece not in colour:
-                    held = np.zeros(len(FRAGMENTS), int)
-                    for other, index in colour.items():
-                        held[index] += sizes[other]
-                    colour[piece] = int(np.argmin(held))
+                    colour[piece] = held.index(min(held))
+                    held[colour[piece]] += int(sizes[piece])
             before = fragment, colour
         yield frame, colour
 
@@ -212,11 +214,13 @@ def _painted(frame, colour):
 
 def _inherited(fragment, sizes, fragment_before, colour_before):
     """fragment -> colour of those that are the largest part of one that had it."""
-    pairs, shared = np.unique(np.stack([fragment, fragment_before]), axis=1, return_counts=True)
+    several = sizes[fragment] > 1
+    both, shared = np.unique(fragment[several] * len(sizes) + fragment_before[several], return_counts=True)
+    pairs = np.stack(np.divmod(both, len(sizes)))
     colour, passed_on = {}, set()
     for k in np.argsort(-shared, kind="stable"):
         piece, whole = map(int, pairs[:, k])
-        if sizes[piece] > 1 and whole in colour_before and piece not in colour and whole not in passed_on:
+        if whole in colour_before and piece not in colour and whole not in passed_on:
             colour[piece] = colour_before[whole]
             passed_on.add(whole)
     return colour

@@ -5,6 +5,7 @@ module."""
 import importlib
 import os
 import re
+import time
 import types
 
 import plot_support
@@ -273,6 +274,16 @@ def test_fragments(_program, _folder):
     pairs = scenery.fragment_colours(frames(np.repeat(2 * np.arange(many), 2), np.repeat(2 * np.arange(many + 1), 2)[:2 * many]))
     assert len(set(pairs[0])) == many and list(pairs[1]) == list(pairs[0]), pairs
     assert set(scenery.fragment_colours(frames([-1, -1, 2, 2]))[0][:2]) == {scenery.SINGLE}, "bodies without bonds"
+
+    def seconds(pieces):
+        """The least of three times of a whole that breaks into so many pieces."""
+        one, taken = frames([0] * 2 * pieces, np.repeat(2 * np.arange(pieces), 2)), []
+        for _ in range(3):
+            began = time.process_time()
+            scenery.fragment_colours(one)
+            taken.append(time.process_time() - began)
+        return min(taken)
+    assert seconds(8000) < 30 * seconds(1000), "eight times as many pieces take eight times as long, and not 64 times"
 
 
 def test_no_bond_made(program, folder):
