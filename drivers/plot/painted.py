@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ellipses of many bodies as one image, painted from the back to the front. matplotlib draws each outline by itself, some
-20 microseconds long; here samples of the image ask which of them are on top."""
+"""Ellipses of many bodies as one image, painted from the back to the front. matplotlib takes some 20 microseconds for
+each outline; here the samples of an image are asked which of them is on top."""
 import numpy as np
 from matplotlib.artist import Artist
 
@@ -57,7 +57,7 @@ def image(shape, centres, half, axis, rim, colours):
         keep = np.unique((below[below > 0] - 1) >> 1)
     top = _on_top(fine, SAMPLES * centres[keep], SAMPLES * half[keep], None if axis is None else axis[keep], SAMPLES * rim, keep)
     if below is not None:
-        # what showed between two pixels and in none is gone: within what is covered no hole is left for it
+        # what shows between the middles of pixels alone has been left out: no hole stays where it was
         covered = np.pad(below > 0, 1)
         inside = np.all([covered[1 + i:1 + i + shape[0], 1 + j:1 + j + shape[1]] for i in (-1, 0, 1) for j in (-1, 0, 1)], axis=0)
         below = np.repeat(np.repeat(np.where(inside, below, 0), SAMPLES, axis=0), SAMPLES, axis=1)
