@@ -587,6 +587,7 @@ def _canvas(artists, size):
     """Pixels of a square of the units 0 to size, lowest row last."""
     style, = modules("style")
     figure = style.new_figure(4, 4)
+    figure.set_dpi(FINE)
     figure.set_layout_engine("none")
     axes = figure.add_axes((0, 0, 1, 1))
     for artist in artists(axes):
@@ -640,6 +641,7 @@ def test_many(program, folder):
         axes = figure.axes[0]
         kinds = {type(artist) for artist in axes.get_children()}
         assert (painted.Painted in kinds, scenery.EllipseCollection in kinds) == (is_painted, not is_painted), f"{count}: {kinds}"
+        figure.set_dpi(FINE)
         figure.canvas.draw()
         pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3]
         for place, inside in (((3, -1), True), ((3, -0.55), True), ((3, -0.4), False), ((3.45, -1), True), ((2.4, -1), False)):
