@@ -175,7 +175,7 @@ static int add(struct pairs *found, int64_t i, int64_t j)
 
 static int is_crowd(const struct cells *s, const struct pairs *found)
 {
-    return found->count > CELLS_CROWD * s->n;
+    return found->count > CELLS_FEW_PAIRS && found->count > CELLS_CROWD * s->n;
 }
 
 int cells_are_crowded(const struct cells *cells, const struct pairs *found)

@@ -12,9 +12,10 @@
 /** Of cells by their widths: the least is 2^-31 of the widest. */
 enum { CELLS_LEVELS = 32 };
 
-/** Pairs of a body on the mean beyond which a search gives up: spheres that touch have some ten, and those of the wrong
- *  unit all others, for which memory would last until the system ends the program. */
-enum { CELLS_CROWD = 1000 };
+/** Pairs of a body on the mean beyond which a search gives up, where these are more than so many in all: spheres that
+ *  touch have some ten, and those of the wrong unit all others, for which memory would last until the system ends the
+ *  program. */
+enum { CELLS_CROWD = 1000, CELLS_FEW_PAIRS = 10000000 };
 
 struct cells {
     int64_t n;      /* bodies */
