@@ -87,7 +87,7 @@ static void empty_cell_data(struct hdf5_sink *data, const struct record *record)
 
 double vtkhdf_bytes(const struct record *record, int64_t frames)
 {
-    enum { STEP = 12, BODY = 6, LINE = 3 }; /* 8 bytes of each frame in Steps, and once of each body and line */
+    enum { STEP = 12, BODY = 6, LINE = 4 }; /* 8 bytes of each frame in Steps, and once of each body and line */
     const int64_t n = record->frames.n;
     struct frame_quantity list[FRAME_QUANTITIES];
     const int count = frame_quantities(record, list);

@@ -69,6 +69,20 @@ static void put_checkpoint(struct pieces *p, const struct checkpoint *checkpoint
     put_rest(p);
 }
 
+/** Doubles of the state in a checkpoint; remembered: those that the model remembers. */
+static int64_t state_doubles(const vti_bodies *bodies, const struct verdict *verdict, int64_t more_count,
+                             int64_t remembered)
+{
+    return state_size(bodies) + verdict_size(verdict) + more_count + remembered;
+}
+
+double checkpoint_bytes(const vti_bodies *bodies, const struct verdict *verdict, int64_t more_count)
+{
+    struct checkpoint checkpoint = {0};
+    checkpoint.state_doubles = state_doubles(bodies, verdict, more_count, model_memory_size(verdict->model));
+    return (double)whole_size(&checkpoint);
+}
+
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
                      const struct verdict *verdict, const double *more, int64_t more_count, struct message *message)
 {
@@ -77,7 +91,7 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
     struct pieces p = {journal, malloc(BYTES), 0, 0, DIGEST_START, 0, message};
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
-    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict) + more_count + remembered;
+    checkpoint->state_doubles = state_doubles(bodies, verdict, more_count, remembered);
     if (memory == NULL || p.piece == NULL) {
         free(memory);
         free(p.piece);

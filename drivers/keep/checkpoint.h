@@ -22,6 +22,9 @@ struct checkpoint {
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
                      const struct verdict *verdict, const double *more, int64_t more_count, struct message *message);
 
+/** Bytes of such a checkpoint, of what the model remembers now. */
+double checkpoint_bytes(const vti_bodies *bodies, const struct verdict *verdict, int64_t more_count);
+
 /** The bytes of the checkpoint in the journal, piece by piece: size of all bytes, from byte at on. take returns 0, or
  *  non-zero if there is no memory. Returns 0, or -1 with one line in *message, which is to be empty before. */
 int checkpoint_pieces(struct journal *journal,

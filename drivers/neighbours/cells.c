@@ -173,6 +173,19 @@ static int add(struct pairs *found, int64_t i, int64_t j)
     return 0;
 }
 
+static int is_crowd(const struct cells *s, const struct pairs *found)
+{
+    return found->count > CELLS_FEW_PAIRS && found->count > CELLS_CROWD * s->n;
+}
+
+int cells_are_crowded(const struct cells *cells, const struct pairs *found)
+{
+    int crowded = is_crowd(cells, found);
+    for (int64_t k = 0; k < cells->parts; ++k)
+        crowded |= is_crowd(cells, &cells->part[k]);
+    return crowded;
+}
+
 /** The pairs of one member with the members begin <= k < end. */
 static int search_members(const struct cells *s, double skin, const struct member *a, int64_t begin, int64_t end,
                           struct pairs *found)
@@ -184,7 +197,7 @@ static int search_members(const struct cells *s, double skin, const struct membe
         if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach && add(found, a->body, b->body) != 0)
             return -1;
     }
-    return 0;
+    return is_crowd(s, found) ? -1 : 0;
 }
 
 static int search_two_cells(const struct cells *s, double skin, const struct cell *cell, const struct cell *next,
@@ -263,7 +276,7 @@ struct search {
     struct pairs *found; /* [parts] */
 };
 
-/** Returns 1 if memory is out. */
+/** Returns 1 if memory is out or there is a crowd. */
 static int64_t search_part(void *self, int64_t part)
 {
     const struct search *s = self;

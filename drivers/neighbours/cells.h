@@ -12,6 +12,11 @@
 /** Of cells by their widths: the least is 2^-31 of the widest. */
 enum { CELLS_LEVELS = 32 };
 
+/** Pairs of a body on the mean beyond which a search gives up, where these are more than so many in all: spheres that
+ *  touch have some ten, and those of the wrong unit all others, for which memory would last until the system ends the
+ *  program. */
+enum { CELLS_CROWD = 1000, CELLS_FEW_PAIRS = 10000000 };
+
 struct cells {
     int64_t n;      /* bodies */
     double *radius; /* [n] > 0, for the caller to fill in */
@@ -33,8 +38,11 @@ struct cells {
 int cells_create(struct cells *cells, int64_t n);
 
 /** Sets *found to the pairs i < j whose gap, the distance less both radii, is below the skin, in no order that the
- *  caller may rely on. longest is the largest radius. Returns 0, or -1 if memory is out. */
+ *  caller may rely on. longest is the largest radius. Returns 0, or -1 if memory is out or there is a crowd. */
 int cells_search(struct cells *cells, double longest, double skin, struct pairs *found);
+
+/** Whether that search has given up at more than CELLS_CROWD pairs a body. */
+int cells_are_crowded(const struct cells *cells, const struct pairs *found);
 
 void cells_destroy(struct cells *cells);
 

@@ -179,7 +179,14 @@ int neighbours_update(struct neighbours *list, const vti_view *x, struct message
     s->is_built = 0;
     if (store_positions(list, x, message) != 0)
         return -1;
-    if (build(list) != 0)
+    const int failed = build(list) != 0;
+    if (failed && cells_are_crowded(&s->cells, &s->found))
+        return message_set(
+            message,
+            "contacts: each of %lld spheres has more than %d others at most a diameter or so away, on the "
+            "mean; have positions and diameters the same unit?",
+            (long long)s->cells.n, CELLS_CROWD);
+    if (failed)
         return message_set(message, "contacts: out of memory for the pairs of %lld bodies; are too many in one place?",
                            (long long)s->cells.n);
     s->is_built = 1;

@@ -4,9 +4,10 @@ for all frames, planes, lines between bodies, marks that turn with the bodies, a
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 
-from . import level, outlines, walls
+from . import level, outlines, painted, walls
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
+MOST_DRAWN = 5000       # outlines; more are painted as an image, as matplotlib would take minutes
 SMALL = 1 / 100         # of the window: smaller bodies have thin rims and no marks, which would hide their colours
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
 BODY, RIM, MARK, CONTACT = "#CFE6F5", "#0072B2", "#000000", "#E69F00"
@@ -45,7 +46,8 @@ class Scenery:
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
         self.outward = _outward(first, self.plane) if self.marked else None
         # The scene says which bodies never touch, those that something holds together being the usual ones.
-        self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
+        apart = run.lines.tolist() if run.touching != 2 and self.detailed else []
+        self.apart = {tuple(sorted(pair)) for pair in apart}
 
     def _look_at(self, frames):
         """One pass: the first frame, how far bodies move along x, y and z, and of each frame what it extends over, and
@@ -105,7 +107,7 @@ class Scenery:
         walls.draw(axes, self.plane, self.walls, frame.t, window)
         fills = np.where(touching, CONTACT, self._fills(frame, seen))[behind_first]
         ellipses = [part[behind_first] for part in seen.ellipses(self.plane)]
-        axes.add_collection(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills, 0.15 if self.small else 0.5))
+        axes.add_artist(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills, 0.15 if self.small else 0.5))
         if self.detailed:
             if len(frame.lines):
                 axes.add_collection(LineCollection(xy[frame.lines], colors=RIM, linewidths=0.7))
@@ -186,12 +188,14 @@ def _with_colours(frames):
             fragment = _fragments(frame)
             sizes = np.bincount(fragment, minlength=len(frame.x))
             colour = _inherited(fragment, sizes, *before) if before else {}
-            for piece in sorted(np.flatnonzero(sizes > 1), key=lambda piece: -sizes[piece]):
+            held = [0] * len(FRAGMENTS)
+            for other, index in colour.items():
+                held[index] += int(sizes[other])
+            several = np.flatnonzero(sizes > 1)
+            for piece in several[np.argsort(-sizes[several], kind="stable")].tolist():
                 if piece not in colour:
-                    held = np.zeros(len(FRAGMENTS), int)
-                    for other, index in colour.items():
-                        held[index] += sizes[other]
-                    colour[piece] = int(np.argmin(held))
+                    colour[piece] = held.index(min(held))
+                    held[colour[piece]] += int(sizes[piece])
             before = fragment, colour
         yield frame, colour
 
@@ -210,16 +214,20 @@ def _painted(frame, colour):
 
 def _inherited(fragment, sizes, fragment_before, colour_before):
     """fragment -> colour of those that are the largest part of one that had it."""
-    pairs, shared = np.unique(np.stack([fragment, fragment_before]), axis=1, return_counts=True)
+    several = sizes[fragment] > 1
+    both, shared = np.unique(fragment[several] * len(sizes) + fragment_before[several], return_counts=True)
+    pairs = np.stack(np.divmod(both, len(sizes)))
     colour, passed_on = {}, set()
     for k in np.argsort(-shared, kind="stable"):
         piece, whole = map(int, pairs[:, k])
-        if sizes[piece] > 1 and whole in colour_before and piece not in colour and whole not in passed_on:
+        if whole in colour_before and piece not in colour and whole not in passed_on:
             colour[piece] = colour_before[whole]
             passed_on.add(whole)
     return colour
 
 
 def _ellipses(axes, centres, widths, heights, angles, colours, rim):
+    if len(centres) > MOST_DRAWN:
+        return painted.Painted(centres, widths, heights, angles, colours, RIM, rim)
     return EllipseCollection(widths, heights, angles, units="xy", offsets=centres,
                              transOffset=axes.transData, facecolors=colours, edgecolors=RIM, linewidths=rim)

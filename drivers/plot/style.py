@@ -159,4 +159,7 @@ def _png(figure):
             memory, "PNG", optimize=True, dpi=(dpi, dpi))
         if memory.tell() < LARGEST or dpi < 40:
             return memory.getvalue()
+        heavy = memory.tell() / LARGEST
         dpi *= 0.9
+        while dpi >= 40 and heavy * (dpi / figure.dpi) ** 2 > 1.2:     # it weighs no less than its area; that saves drawing it
+            dpi *= 0.9

@@ -115,7 +115,7 @@ static void say_notes(const struct run *run, FILE *file)
 }
 
 /** The disk that files take, where that is much, and whether it is there. */
-static void say_files(const struct run *run, FILE *file)
+static void say_files(struct run *run, FILE *file)
 {
     const double much = 1e8;
     const struct run_sizes sizes = sizes_of(run);
@@ -157,6 +157,11 @@ void run_text_start(struct run *run, FILE *file)
     say_every("a row", run->checkpoint.record_every, varies, h, file);
     say_every(" and a frame", run->checkpoint.frames_every, varies, h, file);
     say_files(run, file);
+    if (run->fit > 0)
+        fprintf(file,
+                "note: %lld frames, as more of so many bodies would take more than 500 MB of files; --frames EVERY "
+                "records one every so many steps\n",
+                (long long)run->fit);
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
     if (run->restored && run->from > 0)

@@ -38,7 +38,8 @@ static const struct option_row rows[] = {
      "steps between rows of energies and momenta (default: about 1000 rows; from 1000 bodies on one row per ten steps "
      "or so, but at least 100 rows)"},
     {"--frames", "EVERY", OPTION_WHOLE, &request.frames_every, 1, 0x1p53, "50 or 1e3",
-     "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
+     "steps between frames of the trajectory (default: about 100 frames, or as many as 500 MB of files hold); the "
+     "states at t = 0 and at the end are always recorded"},
     {"--fields", "force,moment,lost", OPTION_TEXT, &fields, OPTION_ANY,
      "one or more of each body in OUT.h5 and OUT.xdmf too, in every frame; force and moment: of all effects but drag "
      "and dashpots, which are flows of velocities; lost: the energy that it has lost so far, in all and by the columns "

@@ -63,3 +63,18 @@ int64_t interval_choose(double h, int64_t steps, int64_t about)
         offer_round(&best, 1.0, 0);
     return best.every;
 }
+
+int64_t interval_records(int64_t steps, int64_t every)
+{
+    return steps / every + 1 + (steps % every != 0);
+}
+
+int64_t interval_within(double h, int64_t steps, int64_t about, int64_t most)
+{
+    for (int64_t wanted = about; wanted > 0; --wanted) {
+        const int64_t every = interval_choose(h, steps, wanted);
+        if (interval_records(steps, every) <= most)
+            return every;
+    }
+    return steps;
+}

@@ -10,4 +10,10 @@
  *  divide the steps; else every 10, 20, 25, 50 steps and the like. A short run is recorded at every step. */
 int64_t interval_choose(double h, int64_t steps, int64_t about);
 
+/** The same with at most so many records; of the start and the end alone where most is less than 2. */
+int64_t interval_within(double h, int64_t steps, int64_t about, int64_t most);
+
+/** Records of so many steps, one at each multiple of every; the start and the end are among them. */
+int64_t interval_records(int64_t steps, int64_t every);
+
 #endif

@@ -13,6 +13,7 @@
 #include "loop.h"
 #include "number.h"
 #include "signals.h"
+#include "sizes.h"
 #include "slices.h"
 #include "step_errors.h"
 #include "threads.h"
@@ -264,9 +265,11 @@ static int open_checkpoint(struct run *run, struct message *message)
                            NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",
                            (double)run->from * run->scene.h);
     if (choose_every("--record", run->request->record_every, c->record_every,
-                     interval_choose(run->scene.h, run->steps, about_rows(run)), &c->record_every, message) != 0 ||
-        choose_every("--frames", run->request->frames_every, c->frames_every,
-                     interval_choose(run->scene.h, run->steps, 100), &c->frames_every, message) != 0 ||
+                     interval_choose(run->scene.h, run->steps, about_rows(run)), &c->record_every, message) != 0)
+        return -1;
+    const int nobody_says = run->request->frames_every == 0 && c->frames_every == 0;
+    if (choose_every("--frames", run->request->frames_every, c->frames_every,
+                     nobody_says ? sizes_frames(run, &run->fit) : 0, &c->frames_every, message) != 0 ||
         journal_start(&run->journal, run->restored || !found ? no_rows : c->rows,
                       run->restored || !found ? no_frames : c->frames, message) != 0)
         return -1;

@@ -18,7 +18,7 @@ struct run_request {
     const char *const *sets; /* overrides, see scene_read */
     int sets_count;
     const char *output;                 /* path of the HDF5 file; NULL: the scene's name and .h5 */
-    int64_t record_every, frames_every; /* steps; 0: about_rows of run.c, and about 100 frames */
+    int64_t record_every, frames_every; /* steps; 0: about_rows of run.c, sizes_frames */
     double checkpoint_seconds;
     int64_t threads; /* 0: all cores where they pay */
     int resume;      /* go on from the checkpoint, if there is one */
@@ -61,6 +61,7 @@ struct run {
     int done;     /* it was complete before: there is nothing to do */
     int restored; /* it goes on from the files of a complete run */
     int kept;     /* the journal is to stay */
+    int64_t fit;  /* frames, where nobody says how many and the usual ones would take much disk (sizes.h); else 0 */
 
     /* while it goes */
     enum run_end end;

@@ -1,23 +1,47 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "sizes.h"
 
+#include <math.h>
 #include <stdio.h>
 
+#include "checkpoint.h"
 #include "folder.h"
+#include "interval.h"
 
-/** Records of a run, the start and the end among them. */
-static int64_t records(int64_t steps, int64_t every)
+/** Frames of a run that nobody asks for: so many, unless so many bytes of files hold fewer. */
+enum { USUAL_FRAMES = 100, UNASKED_BYTES = 500000000 };
+
+/** Of one checkpoint, which OUT.run has, and at the end OUT.h5. */
+static double one_checkpoint(struct run *run)
 {
-    return steps / every + 1 + (steps % every != 0);
+    int64_t count;
+    (void)travel_state(&run->travel, &count);
+    return checkpoint_bytes(&run->model.bodies, &run->verdict, count);
 }
 
-struct run_sizes sizes_of(const struct run *run)
+int64_t sizes_frames(struct run *run, int64_t *fit)
+{
+    const int64_t rows = interval_records(run->steps, run->checkpoint.record_every);
+    const double none = run_files_bytes(&run->files, &run->record, rows, 0),
+                 frame = run_files_bytes(&run->files, &run->record, rows, 1) - none,
+                 most = fmin(floor((UNASKED_BYTES - none - one_checkpoint(run)) / frame), 0x1p53);
+    const int64_t usual = interval_choose(run->scene.h, run->steps, USUAL_FRAMES);
+    *fit = 0;
+    if ((double)interval_records(run->steps, usual) <= most)
+        return usual;
+    const int64_t every = interval_within(run->scene.h, run->steps, USUAL_FRAMES, most < 2.0 ? 2 : (int64_t)most);
+    *fit = interval_records(run->steps, every);
+    return every;
+}
+
+struct run_sizes sizes_of(struct run *run)
 {
     const struct journal *journal = &run->journal;
-    const int64_t rows = records(run->steps, run->checkpoint.record_every),
-                  frames = records(run->steps, run->checkpoint.frames_every);
-    struct run_sizes sizes = {run_files_bytes(&run->files, &run->record, rows, frames),
-                              journal_bytes(journal, rows, frames), 0.0, folder_space(run->files.folder)};
+    const int64_t rows = interval_records(run->steps, run->checkpoint.record_every),
+                  frames = interval_records(run->steps, run->checkpoint.frames_every);
+    const double checkpoint = one_checkpoint(run);
+    struct run_sizes sizes = {run_files_bytes(&run->files, &run->record, rows, frames) + checkpoint,
+                              journal_bytes(journal, rows, frames) + checkpoint, 0.0, folder_space(run->files.folder)};
     sizes.needed =
         sizes.files + sizes.journal - journal_bytes(journal, journal->rows.mark.count, journal->frames.mark.count);
     return sizes;

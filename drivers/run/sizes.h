@@ -13,7 +13,12 @@ struct run_sizes {
     double space;   /* in the folder; infinite if nobody says */
 };
 
-struct run_sizes sizes_of(const struct run *run);
+struct run_sizes sizes_of(struct run *run);
+
+/** Steps between frames of a run of which nobody says: about 100 frames, or as many as 500 MB of files hold, the start
+ *  and the end among them; those two always. Of an open scene with its rows and files. *fit: how many frames, where
+ *  they are fewer for that; else 0. */
+int64_t sizes_frames(struct run *run, int64_t *fit);
 
 /** "120 MB", "2.31 GB", "1.5 TB" */
 const char *sizes_text(double bytes, char text[32]);

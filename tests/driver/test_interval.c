@@ -66,4 +66,24 @@ TEST(any_run)
     }
 }
 
-RUN_TESTS(cmocka_unit_test(known_ones), cmocka_unit_test(any_run))
+/** No more records than are allowed, the start and the end among them; at least a quarter of them, as a choice is from
+ *  half to twice of what is tried, and that goes down until it fits; else as without a limit. */
+TEST(limited)
+{
+    assert_int_equal(interval_records(10, 5), 3);
+    assert_int_equal(interval_records(11, 5), 4);
+    assert_int_equal(interval_within(1e-3, 5000, 100, 1000), interval_choose(1e-3, 5000, 100));
+    assert_int_equal(interval_within(1e-3, 5000, 100, 11), 500); /* every 0.5 */
+    assert_int_equal(interval_within(1e-3, 5000, 100, 10), 1000);
+    assert_int_equal(interval_within(1e-3, 5, 100, 5), 5); /* evenly to the end */
+    for (int64_t most = 2; most < 102; ++most)
+        for (int64_t steps = 1; steps < 3000; steps += 1 + steps / 7) {
+            const int64_t every = interval_within(1e-3, steps, 100, most), records = interval_records(steps, every);
+            if (records > most || every > steps || (records < most / 4 && records <= steps / 2))
+                fail_msg("%lld steps, at most %lld records: %lld", (long long)steps, (long long)most,
+                         (long long)records);
+        }
+    assert_int_equal(interval_within(1e-3, 7, 100, 1), 7);
+}
+
+RUN_TESTS(cmocka_unit_test(limited), cmocka_unit_test(known_ones), cmocka_unit_test(any_run))

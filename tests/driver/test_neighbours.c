@@ -270,8 +270,39 @@ static void memory_is_out(int n, rlim_t bytes, int times)
 
 TEST(tells_when_memory_is_out)
 {
-    memory_is_out(20000, 512u << 20, 2); /* 3 GB to find the pairs */
-    memory_is_out(4000, 200u << 20, 1);  /* 134 MB to find them, as much to sort them */
+    memory_is_out(20000, 128u << 20, 2); /* 320 MB to find the pairs of a crowd */
+    memory_is_out(2000, 50u << 20, 1);   /* 34 MB to find them, as much to sort them */
+}
+
+/** Spheres that all are in one place, as where positions are in metres and diameters in millimetres, have pairs by the
+ *  square of their number: some are refused long before memory is out; few, and many that just touch, are not. */
+TEST(refuses_a_crowd)
+{
+    enum { N = 6000, FEW = 2000 };
+    static double x[N][3];
+    double one = 1.0;
+    const vti_scalars diameter = vti_scalars_one(&one);
+    const vti_view view = vti_view_packed(x[0]);
+    struct neighbours list;
+    for (int64_t threads = 1; threads <= 3; ++threads) {
+        threads_use(threads);
+        memset(x, 0, sizeof x);
+        assert_int_equal(neighbours_create(&list, N, &diameter, 0.0, 0, NULL, &b.message), 0);
+        assert_int_equal(neighbours_update(&list, &view, &b.message), -1);
+        assert_message("each of 6000 spheres has more than 1000 others");
+        assert_message("have positions and diameters the same unit?");
+        assert_int_equal(list.count, 0);
+        for (int i = 0; i < N; ++i)
+            x[i][i % 3] = 1.1 * i;
+        assert_int_equal(neighbours_update(&list, &view, &b.message), 1);
+        neighbours_destroy(&list);
+        memset(x, 0, sizeof x);
+        assert_int_equal(neighbours_create(&list, FEW, &diameter, 0.0, 0, NULL, &b.message), 0);
+        assert_int_equal(neighbours_update(&list, &view, &b.message), 1);
+        assert_int_equal(list.count, FEW * (FEW - 1) / 2);
+        neighbours_destroy(&list);
+    }
+    threads_use(1);
 }
 
 RUN_TESTS(cmocka_unit_test(finds_the_near_of_random_packings), cmocka_unit_test(finds_the_near_in_any_place),
@@ -280,4 +311,4 @@ RUN_TESTS(cmocka_unit_test(finds_the_near_of_random_packings), cmocka_unit_test(
           cmocka_unit_test(few_bodies_and_coincident_ones),
           cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),
           cmocka_unit_test(refuses_positions_that_are_no_numbers), cmocka_unit_test(refuses_what_makes_no_list),
-          cmocka_unit_test(tells_when_memory_is_out))
+          cmocka_unit_test(tells_when_memory_is_out), cmocka_unit_test(refuses_a_crowd))

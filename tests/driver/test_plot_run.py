@@ -5,6 +5,7 @@ module."""
 import importlib
 import os
 import re
+import time
 import types
 
 import plot_support
@@ -273,6 +274,16 @@ def test_fragments(_program, _folder):
     pairs = scenery.fragment_colours(frames(np.repeat(2 * np.arange(many), 2), np.repeat(2 * np.arange(many + 1), 2)[:2 * many]))
     assert len(set(pairs[0])) == many and list(pairs[1]) == list(pairs[0]), pairs
     assert set(scenery.fragment_colours(frames([-1, -1, 2, 2]))[0][:2]) == {scenery.SINGLE}, "bodies without bonds"
+
+    def seconds(pieces):
+        """The least of three times of a whole that breaks into so many pieces."""
+        one, taken = frames([0] * 2 * pieces, np.repeat(2 * np.arange(pieces), 2)), []
+        for _ in range(3):
+            began = time.process_time()
+            scenery.fragment_colours(one)
+            taken.append(time.process_time() - began)
+        return min(taken)
+    assert seconds(8000) < 30 * seconds(1000), "eight times as many pieces take eight times as long, and not 64 times"
 
 
 def test_no_bond_made(program, folder):
@@ -572,6 +583,74 @@ def test_refusals(program, folder):
         refuses(program, path, path, words)
 
 
+def _canvas(artists, size):
+    """Pixels of a square of the units 0 to size, lowest row last."""
+    style, = modules("style")
+    figure = style.new_figure(4, 4)
+    figure.set_dpi(FINE)
+    figure.set_layout_engine("none")
+    axes = figure.add_axes((0, 0, 1, 1))
+    for artist in artists(axes):
+        axes.add_artist(artist)
+    axes.set(xlim=(0, size), ylim=(0, size), aspect="equal")
+    axes.set_axis_off()
+    figure.canvas.draw()
+    return np.asarray(figure.canvas.buffer_rgba())[..., :3].astype(float)
+
+
+def test_painted(_program, _folder):
+    """Of many bodies an image is painted that looks as what matplotlib draws of them one by one: the same within a fifth of
+    the colours' range at each spot of 6 x 6 pixels, whose edges the two smooth in other ways, and within a fiftieth on the
+    mean."""
+    painted, scenery = modules("painted", "scenery")
+    random = np.random.default_rng(1)
+    colours = np.array(scenery.FRAGMENTS[:5])
+    layers = np.argwhere(np.ones((20, 20, 20)))[:, [1, 2]] + 2.0     # 20 spheres in a row
+    cases = {"few": (60, 0.5, 3.0), "ellipses": (3000, 0.1, 2.0), "dust": (4000, 0.01, 0.2), "many": (20000, 0.5, 1.0), "rows": (8000, 1, 1)}
+    for name, (count, low, high) in cases.items():
+        centres = layers if name == "rows" else random.uniform(-1, 25, (count, 2)) * (1, 0.7)   # nothing is at the top
+        widths = random.uniform(low, high, count)
+        heights = widths * random.uniform(0.3, 1.0, count) if name == "ellipses" else widths
+        angles = random.uniform(0, 180, count) if name == "ellipses" else np.zeros(count)
+        each = centres, widths, heights, angles, colours[random.integers(0, 5, count)]
+        rim = 0.5 if name in ("few", "ellipses") else 0.15
+        drawn = _canvas(lambda axes: [scenery.EllipseCollection(*each[1:4], units="xy", offsets=each[0], transOffset=axes.transData,
+                                                                facecolors=each[4], edgecolors=scenery.RIM, linewidths=rim)], 24)
+        made = _canvas(lambda _: [painted.Painted(*each, scenery.RIM, rim)], 24)
+        differ = np.abs((made - drawn).reshape(100, 6, 100, 6, 3).mean(axis=(1, 3))) / 255
+        assert np.mean(differ) < 0.02 and np.max(differ) < 0.2, f"{name}: {np.mean(differ):.3f} on the mean, {np.max(differ):.3f} at most"
+    # so many that they lie everywhere on others: nothing shines through, though those that no pixel shows are left out
+    centres, half = random.uniform(0, 200, (100000, 2)).astype(np.float32), np.full((100000, 2), 4, np.float32)
+    assert 81 * 9 * len(centres) > painted.CHEAP
+    made = painted.image((200, 200), centres, half, None, 0.3, painted.rgba(["#000000", "#0000FF", *["#FF0000"] * len(centres)]))
+    assert np.all(made[10:-10, 10:-10, 3] == 255), f"{np.sum(made[10:-10, 10:-10, 3] < 255)} pixels are not covered"
+
+
+def test_many(program, folder):
+    """Bodies too many to be drawn one by one are painted, at the size and place that they have; fewer are drawn."""
+    run_file, painted, scenery, shapes = modules("run_file", "painted", "scenery", "shapes")
+    for count, is_painted in ((scenery.MOST_DRAWN, False), (scenery.MOST_DRAWN + 1, True)):
+        path = os.path.join(folder, f"{count}.h5")
+        write_run(path, count=count, frames=2, rows=20, walls=False)
+        with h5py.File(path, "a") as file:     # one that fills the lower right quarter, in front
+            x = file["VTKHDF/Points"][...]
+            x[[0, count]] = 3, -1, 5
+            file["VTKHDF/Points"][...] = x
+            file["VTKHDF/PointData/diameter"][0] = 1
+        figure, _ = shapes.draw(run_file.read_run(path))
+        axes = figure.axes[0]
+        kinds = {type(artist) for artist in axes.get_children()}
+        assert (painted.Painted in kinds, scenery.EllipseCollection in kinds) == (is_painted, not is_painted), f"{count}: {kinds}"
+        figure.set_dpi(FINE)
+        figure.canvas.draw()
+        pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3]
+        for place, inside in (((3, -1), True), ((3, -0.55), True), ((3, -0.4), False), ((3.45, -1), True), ((2.4, -1), False)):
+            column, row = np.round(axes.transData.transform(place)).astype(int)
+            filled = tuple(pixels[len(pixels) - 1 - row, column]) == tuple(np.round(255 * np.array(matplotlib.colors.to_rgb(scenery.BODY))))
+            assert filled == inside, f"{count} bodies: at {place} there is {pixels[len(pixels) - 1 - row, column]}"
+        draws(program, path, os.path.join(folder, str(count)), pictures=("shapes.png",), only=("shapes.png",))
+
+
 if __name__ == "__main__":
     plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_no_bond_made, test_varying_steps,
-                      test_scale, test_momenta, test_short_times, test_names, test_room, test_kept_exactly, test_curves, test_film, test_figures, test_refusals)
+                      test_scale, test_painted, test_many, test_momenta, test_short_times, test_names, test_room, test_kept_exactly, test_curves, test_film, test_figures, test_refusals)

@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 
 from programs import run
 from tally import check, conclude
@@ -79,16 +80,17 @@ def shipped(base):
               f"{os.path.basename(scene)}: nothing is given that is not used {done.stderr.strip()}")
 
 
-def start(base, *options):
-    """What is said before the first step; the run is ended then."""
-    folder = tempfile.mkdtemp(dir=base)
-    with subprocess.Popen([RUN, f"{SCENES}/heap.yaml", "-o", f"{folder}/long.h5", *options], text=True, stdout=subprocess.PIPE,
+def start(base, *options, scene=f"{SCENES}/heap.yaml", folder=None, after=0):
+    """What is said before the first step; the run is ended then, or so many seconds later."""
+    folder = folder or tempfile.mkdtemp(dir=base)
+    with subprocess.Popen([RUN, scene, "-o", f"{folder}/long.h5", *options], text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.DEVNULL) as going:
         said = []
         for line in going.stdout:
             said.append(line)
             if line.startswith("a row every"):
                 break
+        time.sleep(after)
         going.terminate()
         return "".join(said) + going.stdout.read()
 
@@ -103,6 +105,40 @@ def disk(base):
     check("room" not in large and "--no-dump" in start(base, "--t-end", "1e7", "--frames", "1"), "... and whether there is room")
     less = re.search(r"files of some ([\d.]+) MB", start(base, "--t-end", "2", "--frames", "1", "--no-dump"))
     check(less and float(less[1]) < 1.2 * float(found[1]), f"... which is less without the dump, of twice the time: {less and less[0]}")
+
+
+def unasked(base):
+    """Frames that nobody asks for take 500 MB at most, all files together, or are two; --resume keeps how many they are."""
+    scene, folder = f"{base}/many.yaml", f"{base}/many"
+    with open(scene, "w", encoding="ascii") as file:
+        file.write("bodies: {lattice: {counts: [30, 30, 30], spacing: 1}, mass: 1, v: [1, 0, 0], omega: [0, 0, 1]}\nh: 1e-3\nt_end: 1e4\n")
+
+    def found(*options, after=0):
+        if "--resume" not in options and os.path.exists(f"{folder}/long.run"):
+            os.remove(f"{folder}/long.run")
+        said = start(base, *options, scene=scene, folder=folder, after=after)
+        frames = re.search(r"^a row every .* a frame every (\d+ )?steps? .*; files of some ([\d.]+) MB,.*$", said, re.MULTILINE)
+        fewer = re.search(r"^note: (\d+) frames, .* 500 MB of files; --frames EVERY ", said, re.MULTILINE)
+        check(frames, f"{options}: {said}")
+        return int(frames[1]), float(frames[2]), fewer and int(fewer[1])
+    every, size, fewer = found()
+    check(fewer == 10**7 // every + 1 and 250 < size < 500 and 20 <= fewer < 50, f"27000 bodies: {fewer} frames, {size} MB")
+    for after in (0.5, 2, 8, 30):   # until it is past the first step
+        if not os.path.exists(f"{folder}/long.run"):
+            found(after=after)
+    again, less, note = found("--no-dump", "--resume")
+    check(again == every and less < size and note is None, f"--resume keeps the frames that it began with: one every {again}, {less} MB")
+    without = found("--no-dump")
+    check(without[0] < every and without[1] < 500, f"without the dump there are more frames: {without}")
+    check(found("--set", "bodies.lattice.counts=[120, 120, 120]", "--t-end", "1e4", "--no-dump")[::2] == (10**7, 2), "of more bodies than fit, two")
+    done = run(RUN, scene, "-o", f"{base}/size.h5", "--no-dump", "--set", "bodies.lattice.counts=[63, 63, 63]", "--t-end", "1e-3")
+    told, is_so = re.search(r"files of some ([\d.]+) MB", done.stdout), 1e-6 * os.path.getsize(f"{base}/size.h5")
+    check(told and abs(float(told[1]) / is_so - 1) < 0.1, f"what is said is so, with what --resume goes on from: {is_so:.0f} MB, {told and told[0]}")
+    os.remove(f"{base}/size.h5")
+    asked = start(base, "--frames", "100000", scene=scene)
+    check("a frame every 100000 steps" in asked and "; files of some 1.2" in asked and "note" not in asked, f"as many as are asked for: {asked}")
+    few = start(base, "--set", "bodies.lattice.counts=[10, 10, 10]", scene=scene)
+    check("a frame every 100000 steps (100 of time)\n" in few and "note" not in few, f"of few bodies about 100: {few}")
 
 
 def logged(base):
@@ -143,5 +179,6 @@ with tempfile.TemporaryDirectory() as root:
     never_bonded(root)
     shipped(root)
     disk(root)
+    unasked(root)
     logged(root)
 conclude()
