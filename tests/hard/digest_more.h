@@ -142,6 +142,17 @@ static inline void dissipation(const char *name, int general, double h, int step
 
 /* ---- three moments ----------------------------------------------------------------------------------------------- */
 
+/** Stage k of a step, or its end: of many bodies at once, of the last few one by one. */
+static inline void tops_move(const vti_stepper *method, int64_t k, double h, const vti_bodies *b)
+{
+    enum { AT_ONCE = 64 };
+    for (int64_t i = 0; i < BODIES; i += i < AT_ONCE ? AT_ONCE : 1) {
+        const vti_bodies slice = vti_bodies_slice(*b, i, i < AT_ONCE ? AT_ONCE : 1);
+        must(k < method->stages ? vti_step_stage(method, k, h, &slice, NULL) : vti_step_finish(method, h, &slice),
+             method->name);
+    }
+}
+
 /** Steps of bodies of three moments, of those steppers that have a rotor in space. */
 static inline void tops(const vti_stepper *method, double h, int steps)
 {
@@ -153,10 +164,10 @@ static inline void tops(const vti_stepper *method, double h, int steps)
         must(vti_apply(d.effects + 4, EFFECTS, &b), "vti_apply");
         for (int k = 0; k < steps; ++k) {
             for (int64_t stage = 0; stage < method->stages; ++stage) {
-                must(vti_step_stage(method, stage, h, &b, NULL), method->name);
+                tops_move(method, stage, h, &b);
                 must(vti_apply(d.effects + 4, EFFECTS, &b), "vti_apply");
             }
-            must(vti_step_finish(method, h, &b), "vti_step_finish");
+            tops_move(method, method->stages, h, &b);
         }
         add_state(&hash, &d.s);
     }

@@ -5,6 +5,7 @@
  * touched. */
 #include <float.h>
 
+#include "../../src/lanes/vti_lanes.h"
 #include "../../src/multistep/vti_adams.h"
 #include "../../src/vti_move.h"
 #include "units.h"
@@ -135,15 +136,20 @@ static void correct(const vti_multistep *m, double h, struct system *s, const vt
     }
 }
 
-/** Bodies that one of them leaves over are for the next. */
-static void do_all(const struct vti_move_kernels *kernels, int corrects, const vti_multistep *m, const vti_past *past,
+/** Bodies that one of them leaves over are for the next; the last one, where all of them take two at once as this
+ *  build's -march lets them, is for nobody. */
+static void do_all(const struct vti_move_kernels *kernels, int corrects, const vti_multistep *m, struct system *s,
                    const vti_bodies *b, double *turn)
 {
+    const vti_past past = {s->past[0][0], DEPTH, DEPTH};
     vti_half_step *const half[2] = {kernels->predict, kernels->correct}, *const rest[2] = {vti_move_baseline.predict,
                                                                                            vti_move_baseline.correct};
-    const int64_t each = corrects ? CORRECTED : PREDICTED, stop = half[corrects](m, 0.3, past, b, FIRST, END, turn);
+    const int64_t each = corrects ? CORRECTED : PREDICTED, stop = half[corrects](m, 0.3, &past, b, FIRST, END, turn);
     assert_in_range(END - stop, 0, 1);
-    rest[corrects](m, 0.3, past, b, stop, END, turn + each * (stop - FIRST));
+    const int64_t last = rest[corrects](m, 0.3, &past, b, stop, END, turn + each * (stop - FIRST));
+    assert_in_range(END - last, 0, WIDTH == 8);
+    for (int64_t i = last; i < END; ++i)
+        (corrects ? correct : predict)(m, 0.3, s, b, (int)i, turn + each * (i - FIRST));
     for (int64_t k = 0; k < each * (END - FIRST); k += 4)
         turn[k] = 0.0; /* says nothing */
 }
@@ -159,11 +165,10 @@ static void agree(const struct vti_move_kernels *kernels)
         fill(&g, &one);
         many = one;
         const vti_bodies by_one = bodies_in(trial % LAYOUTS, &one), b = bodies_in(trial % LAYOUTS, &many);
-        const vti_past past = {many.past[0][0], DEPTH, DEPTH};
         for (int i = FIRST; i < END; ++i)
             (corrects ? correct : predict)(m, 0.3, &one, &by_one, i,
                                            expected + (corrects ? CORRECTED : PREDICTED) * (i - FIRST));
-        do_all(kernels, corrects, m, &past, &b, turn);
+        do_all(kernels, corrects, m, &many, &b, turn);
         if (!corrects || m->c != 0.0) /* else no body turns, and none is told to */
             assert_same_bits(turn, expected, sizeof expected / sizeof(double));
         assert_same_bits(&many, &one, sizeof one / sizeof(double));

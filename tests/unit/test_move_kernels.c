@@ -3,6 +3,7 @@
  * Moves of many bodies by the kernels of every vector width against the same bodies moved one by one, to the bit: all
  * layouts, laws and frames, no kick, one and two, attitudes past half a turn and of any size, spins of any size. And
  * vti_step_next against the finish and the begin that it stands for. The kernels' tables are private to the library. */
+#include "../../src/lanes/vti_lanes.h" /* WIDTH, of this build */
 #include "../../src/vti_move.h"
 #include "units.h"
 
@@ -143,10 +144,10 @@ static void agree(const struct vti_move_kernels *kernels, int64_t width)
 
 TEST(baseline)
 {
-    agree(&vti_move_baseline, 2);
+    agree(&vti_move_baseline, WIDTH);
 }
 
-ON_AVX2(agree(&vti_move_avx2, 4))
+ON_AVX2(agree(&vti_move_avx2, WIDTH > 4 ? WIDTH : 4))
 ON_AVX512(agree(&vti_move_avx512, 8))
 
 /** The bound sees a body that reaches 1, or is NaN, wherever it stands; nothing is written then. */
