@@ -31,6 +31,8 @@ def compile_one(task):
     """A source by a compiler and flags of its own."""
     compiler, flags, folder, path = task
     wide = ["-mavx2"] if path.endswith("_avx2.c") else []
+    if compiler != "clang" and flags and flags[0]:
+        wide.append("-fno-tree-slp-vectorize")      # as meson.build has it
     subprocess.run([*CACHE, compiler, *FLAGS, *flags, *wide, "-c", path, "-o", f"{folder}/{os.path.basename(path)}.o"], check=True)
 
 

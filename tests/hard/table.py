@@ -107,7 +107,7 @@ Lustre with -o flock); where there are none at all they are not noticed. Other p
 ## Compilers and machines
 
 The bits do not depend on the compiler, the optimisation level or the width of vectors: `tests/hard/digest.txt` holds hashes of
-runs by all steppers and of all effects, and a test builds the core with gcc and clang at -O0, -O2 and -O3, for x86-64-v3 and -v4 and
+runs by all steppers and multistep methods, with dissipation and of bodies of three moments too, and of all effects, and a test builds the core with gcc and clang at -O0, -O2 and -O3, for x86-64-v3 and -v4 and
 with the kernels that are picked at run time, and compares. On aarch64 (under qemu-user) and on i386 with SSE2 they are the same; with
 the x87 unit, which rounds otherwise, within 1e-11 (`./dev arch` checks all three). The elementary functions that
 a C library picks by the processor's units (sin, cos, exp, log, pow) are called by nothing that moves a body and no number that is
