@@ -29,7 +29,7 @@ int64_t sizes_frames(struct run *run, int64_t *fit)
     *fit = 0;
     if ((double)interval_records(run->steps, usual) <= most)
         return usual;
-    const int64_t every = interval_within(run->scene.h, run->steps, USUAL_FRAMES, most < 2.0 ? 2 : (int64_t)most);
+    const int64_t every = interval_within(run->scene.h, run->steps, USUAL_FRAMES, (int64_t)most);
     *fit = interval_records(run->steps, every);
     return every;
 }

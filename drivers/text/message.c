@@ -10,13 +10,13 @@
 static void make_readable(char *text)
 {
     const char *const end = text + strlen(text);
-    for (size_t size; text < end; text += size) {
-        size = quote_character(text, (size_t)(end - text));
-        if (size == 0 || (unsigned char)*text < ' ' || *text == 0x7f) {
-            *text = '?';
-            size = 1;
-        }
+    for (char *p = text; p < end;) {
+        const size_t size = quote_character(p, (size_t)(end - p));
+        if (size == 0)
+            *p = '?';
+        p += size == 0 ? 1 : size;
     }
+    quote_controls(text);
 }
 
 int message_set_list(struct message *message, const char *format, va_list arguments)

@@ -28,7 +28,7 @@ static int continues(char c)
     return ((unsigned char)c & 0xc0) == 0x80;
 }
 
-static void replace_controls(char *text)
+void quote_controls(char *text)
 {
     for (char *p = text; *p != '\0'; ++p) {
         const unsigned char c = (unsigned char)p[0], next = (unsigned char)p[1];
@@ -52,7 +52,7 @@ char *quote(char *out, size_t size, const char *text)
     out[n] = '\0';
     if (cut)
         quote_append(out, size, dots);
-    replace_controls(out);
+    quote_controls(out);
     return out;
 }
 

@@ -18,6 +18,9 @@ char *quote_tail(char *out, size_t size, const char *text);
  *  nothing overlong); 0 if it begins with none. */
 size_t quote_character(const char *text, size_t left);
 
+/** Makes '?' of all that a terminal could take for commands. */
+void quote_controls(char *text);
+
 /** Appends text to what stands in out (size bytes, the terminating 0 included); what does not fit is dropped. Returns
  *  out. */
 char *quote_append(char *out, size_t size, const char *text);

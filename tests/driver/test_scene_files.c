@@ -54,6 +54,14 @@ TEST(long_and_wild_paths)
     assert_memory_equal(message.text, "...\xc3\xa4\xc3\xa4", 7);
 }
 
+/** Whatever a message quotes is one line of UTF-8 without commands for terminals. */
+TEST(messages_are_readable)
+{
+    struct message message;
+    assert_int_equal(message_set(&message, "%s", "a\n\x1b[31m\x7f\xff \xc3\xa4\xc2\x9bz"), -1);
+    assert_string_equal(message.text, "a??[31m?? \xc3\xa4??z");
+}
+
 /** What libfyaml reads as the end of the text, without a word. */
 TEST(a_zero_inside)
 {
@@ -111,5 +119,6 @@ TEST(deep_and_long_texts)
 }
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(names_of_files), cmocka_unit_test(what_is_no_file),
-                    cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(a_huge_file),
-                    cmocka_unit_test(a_zero_inside), cmocka_unit_test(deep_and_long_texts))
+                    cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(messages_are_readable),
+                    cmocka_unit_test(a_huge_file), cmocka_unit_test(a_zero_inside),
+                    cmocka_unit_test(deep_and_long_texts))
