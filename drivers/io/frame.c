@@ -6,7 +6,14 @@
 
 #include "shape.h"
 
-void frame_layout_of(const struct model *model, struct frame_layout *layout)
+/** Takes so many doubles from *next on. */
+static int64_t place(int64_t doubles, int64_t *next)
+{
+    *next += doubles;
+    return *next - doubles;
+}
+
+void frame_layout_of(const struct model *model, int fields, struct frame_layout *layout)
 {
     const vti_bodies *b = &model->bodies;
     int64_t next = 2;
@@ -15,20 +22,21 @@ void frame_layout_of(const struct model *model, struct frame_layout *layout)
     layout->n = b->count;
     layout->translates = b->v.c[0] != NULL;
     layout->turns = b->omega.c[0] != NULL;
-    layout->x = next;
-    next += 3 * b->count;
-    if (layout->translates) {
-        layout->v = next;
-        next += 3 * b->count;
-    }
+    layout->x = place(3 * b->count, &next);
+    if (layout->translates)
+        layout->v = place(3 * b->count, &next);
     if (layout->turns) {
-        layout->omega = next;
-        layout->alpha = next + 3 * b->count;
-        next += 6 * b->count;
+        layout->omega = place(3 * b->count, &next);
+        layout->alpha = place(3 * b->count, &next);
     }
+    if ((fields & FIELD_FORCE) != 0)
+        layout->force = place(3 * b->count, &next);
+    if ((fields & FIELD_MOMENT) != 0)
+        layout->moment = place(3 * b->count, &next);
     layout->entries = model_body_books(model, layout->entry);
-    layout->lost = layout->entries > 0 ? next : 0;
-    layout->doubles = next + layout->entries * b->count;
+    if (layout->entries > 0)
+        layout->lost = place(layout->entries * b->count, &next);
+    layout->doubles = next;
 }
 
 /** Where body i stands. */
@@ -56,6 +64,10 @@ void frame_take(const struct frame_layout *layout, int64_t step, double t, const
         copy(layout, &bodies->omega, frame + layout->omega);
         copy(layout, &bodies->alpha, frame + layout->alpha);
     }
+    if (layout->force != 0)
+        copy(layout, &bodies->force, frame + layout->force);
+    if (layout->moment != 0)
+        copy(layout, &bodies->moment, frame + layout->moment);
     for (int64_t k = 0; k < layout->entries; ++k)
         model_body_booked(layout->booking, k, layout->number, frame + layout->lost + k * layout->n);
 }
@@ -157,23 +169,23 @@ int frame_quantities(const struct record *record, struct frame_quantity list[FRA
 {
     const struct frame_layout *layout = &record->frames;
     const struct frame_quantity known[FRAME_KNOWN] = {
-        {"velocity", layout->v, 3, NULL, 0},
-        {"omega", layout->omega, 3, NULL, 0},
-        {"alpha", layout->alpha, 3, NULL, 0},
-        {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
-        {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
-        {"director", layout->alpha, 3, frame_directors, 0},
-        {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids, 0},
-        {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
-        {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
-        {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0},
-        {"lost", layout->lost, 1, frame_lost, 0}};
+        {"velocity", layout->v, 3, NULL},
+        {"omega", layout->omega, 3, NULL},
+        {"alpha", layout->alpha, 3, NULL},
+        {"attitude_xyzw", layout->alpha, 4, frame_attitudes},
+        {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first},
+        {"director", layout->alpha, 3, frame_directors},
+        {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids},
+        {"force", layout->force, 3, NULL},
+        {"moment", layout->moment, 3, NULL},
+        {"fragment", frame_has_fragments(layout), 1, frame_fragments},
+        {"lost", layout->lost, 1, frame_lost}};
     int count = 0;
     for (int k = 0; k < FRAME_KNOWN; ++k)
         if (known[k].place != 0)
             list[count++] = known[k];
     for (int64_t k = 0; k < layout->entries; ++k)
-        list[count++] = (struct frame_quantity){layout->entry[k], layout->lost + k * layout->n, 1, NULL, 0};
+        list[count++] = (struct frame_quantity){layout->entry[k], layout->lost + k * layout->n, 1, NULL};
     return count;
 }
 
@@ -194,15 +206,4 @@ vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame)
         b.alpha = vti_view_packed(state + layout->alpha);
     }
     return b;
-}
-
-int frame_loads(struct model *model, const struct frame_layout *layout, const double *frame, double *force,
-                double *moment)
-{
-    vti_bodies bodies = frame_bodies(layout, frame);
-    if (bodies.force.c[0] != NULL)
-        bodies.force = vti_view_packed(force);
-    if (bodies.moment.c[0] != NULL)
-        bodies.moment = vti_view_packed(moment);
-    return model_forces(model, &bodies);
 }

@@ -118,15 +118,16 @@ int record_fields_read(const char *text, int *fields, struct message *message)
     return 0;
 }
 
+void record_fields_say(int fields, FILE *file)
+{
+    int said = 0;
+    for (int k = 0; k < ALL; ++k)
+        if ((fields & all[k].field) != 0)
+            fprintf(file, "%s%s", said++ > 0 ? "," : "", all[k].name);
+}
+
 int record_fields_check(int fields, const struct model *model, struct message *message)
 {
-    for (int64_t e = 0; e < model->effects_count && (fields & FIELD_LOADS) != 0; ++e)
-        if (model->effects[e].carry != NULL || model->effects[e].rupture != NULL)
-            return message_set(
-                message,
-                "--fields: the forces of %s depend on what was before, which frames do not hold; leave it "
-                "out",
-                model->effects[e].name);
     const vti_bodies *b = &model->bodies;
     const char *name[EFFECT_TERMS_OF_ALL];
     const int there = (b->force.c[0] != NULL ? FIELD_FORCE : 0) | (b->moment.c[0] != NULL ? FIELD_MOMENT : 0);

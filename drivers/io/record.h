@@ -10,13 +10,18 @@
 
 /* ---- frames ----------------------------------------------------------------------------------------------------- */
 
+/** What is written of bodies if it is asked for (--fields); sets of them are sums. */
+enum { FIELD_FORCE = 1, FIELD_MOMENT = 2, FIELD_LOST = 4, FIELD_LOADS = FIELD_FORCE | FIELD_MOMENT };
+
 /** A frame of a trajectory: all bodies at one time, in doubles: step, t, then x[n][3], v[n][3] if the bodies translate,
- *  omega[n][3] and alpha[n][3] if they turn, and each entry of what they have lost [n], if that is asked for. */
+ *  omega[n][3] and alpha[n][3] if they turn; if they are asked for, force[n][3], moment[n][3], and each entry of what
+ *  bodies have lost [n]. */
 struct frame_layout {
     const struct model *model; /* must outlive the layout */
     int64_t n;
     int translates, turns;
     int64_t x, v, omega, alpha;             /* where they are in the frame; 0 is absent */
+    int64_t force, moment;                  /* likewise */
     int64_t lost, entries;                  /* where what bodies have lost is; how many entries (model_body_books) */
     const char *entry[EFFECT_TERMS_OF_ALL]; /* names of the entries */
     const struct model *booking;            /* the model that books them */
@@ -24,7 +29,8 @@ struct frame_layout {
     const int64_t *number; /* [n] where bodies go that frames are taken of (renumber.h); NULL: as they are */
 };
 
-void frame_layout_of(const struct model *model, struct frame_layout *layout);
+void frame_layout_of(const struct model *model, int fields, struct frame_layout *layout);
+/** Of the bodies as they are, with their forces and moments where the layout has them. */
 void frame_take(const struct frame_layout *layout, int64_t step, double t, const vti_bodies *bodies, double *frame);
 /* Of a frame whose bodies turn: */
 /** Unit quaternions [n][4], x y z w; w >= 0. */
@@ -51,19 +57,13 @@ void frame_fragments(const struct frame_layout *layout, const double *frame, dou
 
 /** The model's bodies, with the state of the frame, which is only read. */
 vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame);
-/** Forces and moments [n][3] of all effects, as the model gives them; of what it gives none, nothing is written.
- *  Contacts are found anew, and sums over them depend on positions alone. Returns VTI_OK or a status that model_text
- *  explains. */
-int frame_loads(struct model *model, const struct frame_layout *layout, const double *frame, double *force,
-                double *moment);
 
-/* ---- what is written of bodies if it is asked for: --fields ----------------------------------------------------- */
-
-/** Sets of them are sums. */
-enum { FIELD_FORCE = 1, FIELD_MOMENT = 2, FIELD_LOST = 4, FIELD_LOADS = FIELD_FORCE | FIELD_MOMENT };
+/* ---- fields that are asked for ---------------------------------------------------------------------------------- */
 
 /** "force,moment", each once or more. Returns 0, or -1 with one line in *message. */
 int record_fields_read(const char *text, int *fields, struct message *message);
+/** The same text of a set. */
+void record_fields_say(int fields, FILE *file);
 /** Whether the model has them all: a force if an effect gives one, a moment alike, losses if an effect books some.
  *  Returns 0, or -1 with one line in *message. */
 int record_fields_check(int fields, const struct model *model, struct message *message);
@@ -77,7 +77,6 @@ struct record {
     int64_t complete; /* 1 if the run reached its end */
     struct columns columns;
     struct frame_layout frames;
-    int fields; /* FIELD_ */
     struct journal *journal;
     char *identity;             /* of the run (identity.h) */
     struct judgement judgement; /* once it has ended */
@@ -90,7 +89,6 @@ struct frame_quantity {
     int64_t components;
     /** Makes it from what the frame holds; NULL where the frame holds it. */
     void (*derive)(const struct frame_layout *layout, const double *frame, double *values);
-    int field; /* 0; or the field, which is made for all bodies at once */
 };
 
 enum { FRAME_KNOWN = 11, FRAME_QUANTITIES = FRAME_KNOWN + EFFECT_TERMS_OF_ALL };

@@ -106,8 +106,6 @@ struct writer {
     const struct record *record;
     struct hdf5_sink *root, *data, *cells;
     double *derived, *times;
-    double *loads; /* forces, then moments */
-    struct message *message;
     double *lines; /* the quantities of one group for its lines; NULL without lines */
 };
 
@@ -156,23 +154,10 @@ static void take_lines(struct writer *w, int64_t k, const double *frame)
 
 static const double *values_of(struct writer *w, const struct frame_quantity *q, const double *frame)
 {
-    if (q->field != 0)
-        return w->loads + (q->field == FIELD_MOMENT ? 3 * w->record->frames.n : 0);
     if (q->derive == NULL)
         return frame + q->place;
     q->derive(&w->record->frames, frame, w->derived);
     return w->derived;
-}
-
-static int take_loads(struct writer *w, const double *frame)
-{
-    const struct record *r = w->record;
-    const int status = (r->fields & FIELD_LOADS) != 0
-                           ? frame_loads(r->model, &r->frames, frame, w->loads, w->loads + 3 * r->frames.n)
-                           : VTI_OK;
-    return status == VTI_OK ? 0
-                            : message_set(w->message, "%s: forces at t = %.10g: %s", r->model->scene->name, frame[1],
-                                          model_text(r->model, status));
 }
 
 static int take_frame(void *self, int64_t k, const double *frame)
@@ -182,8 +167,6 @@ static int take_frame(void *self, int64_t k, const double *frame)
     const hsize_t n = (hsize_t)layout->n, first = n * (hsize_t)k;
     struct frame_quantity list[FRAME_QUANTITIES];
     const int count = frame_quantities(w->record, list);
-    if (take_loads(w, frame) != 0)
-        return -1;
     w->times[k] = frame[1];
     hdf5_rows(w->root, "Points", first, n, frame + layout->x);
     for (int q = 0; q < count; ++q)
@@ -232,11 +215,9 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
                        &cell_data,
                        malloc(sizeof(double) * (size_t)(WIDEST * n + 1)),
                        calloc((size_t)(frames + 1), sizeof(double)),
-                       malloc(sizeof(double) * (size_t)(6 * n + 1)),
-                       message,
                        has_lines ? calloc((size_t)(EFFECT_QUANTITIES * shape_lines(record->model)), sizeof(double))
                                  : NULL};
-    root.failed |= w.derived == NULL || w.times == NULL || w.loads == NULL || (has_lines && w.lines == NULL);
+    root.failed |= w.derived == NULL || w.times == NULL || (has_lines && w.lines == NULL);
     all_cells(&root, record);
     empty_data(&root, &data, record);
     fixed_data(&data, record);
@@ -248,7 +229,6 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
         root.failed = 1;
     free(w.derived);
     free(w.times);
-    free(w.loads);
     free(w.lines);
     hdf5_close(&root, &cell_data);
     hdf5_close(&root, &data);

@@ -12,7 +12,6 @@
 struct checkpoint {
     int64_t step;                       /* not yet recorded */
     int64_t record_every, frames_every; /* steps between rows and between frames */
-    int64_t fields;                     /* FIELD_ of frames (record.h): --resume keeps them */
     struct journal_mark rows, frames;
     int64_t state_doubles;
 };

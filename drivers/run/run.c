@@ -113,8 +113,11 @@ static int identify(struct run *run, struct message *message)
         return scene_no_memory(&run->scene, message);
     identity_version(text);
     identity_scene(text, "", &run->scene, without);
-    if (run->scene.by_body)
-        fputs("fields: energy lost by each body (--fields lost)\n", text);
+    if (run->request->fields != 0) {
+        fputs("fields of bodies: --fields ", text);
+        record_fields_say(run->request->fields, text);
+        fputc('\n', text);
+    }
     fputs("columns:", text);
     for (int c = 0; c < columns->count; ++c)
         fprintf(text, " %s", columns->name[c]);
@@ -219,12 +222,12 @@ static int64_t about_rows(const struct run *run)
     return run->model.bodies.count < MANY ? USUAL : tenth > FEW ? tenth : FEW;
 }
 
-/** Whether the files of a complete run are all that are asked for: a file may have been removed, a field or OUT.xdmf be
- *  wanted now. */
+/** Whether the files of a complete run are all that are asked for: a file may have been removed, or OUT.xdmf be wanted
+ *  now. */
 static int has_files(const struct run *run)
 {
     const int64_t frames = run->checkpoint.frames.count + 1; /* that of the end follows the checkpoint */
-    return (run->request->fields & ~run->checkpoint.fields) == 0 && run_files_are_there(&run->files, frames);
+    return run_files_are_there(&run->files, frames);
 }
 
 /** A complete run goes on from its file at path. What it is has to be in the journal at once: if it is killed before
@@ -258,8 +261,6 @@ static int open_checkpoint(struct run *run, struct message *message)
     run->from = c->step;
     travel_resume(&run->travel, run->from);
     run->done = run->restored && run->from == run->steps && has_files(run);
-    c->fields |= run->request->fields;
-    run->record.fields = (int)c->fields;
     if (run->steps < run->from)
         return message_set(message, "--t-end: %s lies before the %s at t = %.10g; give that or more",
                            NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",
@@ -291,7 +292,7 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     if (verdict_create(&run->verdict, &run->model, run->scene.stepper, run->scene.h, &run->record.columns, message) !=
         0)
         return -1;
-    frame_layout_of(run->shown, &run->record.frames);
+    frame_layout_of(run->shown, request->fields, &run->record.frames);
     run->record.frames.number = run->renumbering.number;
     run->record.frames.booking = &run->model;
     if (open_files(run, message) != 0 || open_checkpoint(run, message) != 0)

@@ -143,19 +143,34 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
     return journal_add(&run->journal, &run->journal.rows, row, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
 }
 
+/** The bodies with forces and moments of their own, which are those at their positions: what a stepper has left in the
+ *  model's are, for some steppers, those of other positions. */
+static int with_loads(struct run *run, const vti_bodies *bodies, struct fork *fork)
+{
+    const struct frame_layout *layout = &run->record.frames;
+    const int wanted = layout->force != 0 || layout->moment != 0;
+    if (state_fork_create(fork, bodies, wanted ? OWN_FORCE | OWN_MOMENT : 0) != 0)
+        return scene_no_memory(&run->scene, run->message);
+    const int status = wanted ? model_forces(&run->model, &fork->bodies) : VTI_OK;
+    return status == VTI_OK ? 0 : message_set(run->message, "%s: %s", run->scene.name, model_text(&run->model, status));
+}
+
 static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
     struct message ignored = {""};
+    struct fork fork;
     if (state_watch(bodies, INFINITY, &ignored) != 0)
         return broken(run, step, t, bodies, NULL);
     double *frame = malloc(sizeof *frame * (size_t)run->record.frames.doubles); /* not beside a checkpoint's state */
-    if (frame == NULL) {
-        scene_no_memory(&run->scene, run->message);
-        return stop(run, RUN_FAILED);
+    int failed = with_loads(run, bodies, &fork);
+    if (frame == NULL)
+        failed = scene_no_memory(&run->scene, run->message);
+    if (failed == 0) {
+        frame_take(&run->record.frames, step, t, &fork.bodies, frame);
+        failed = journal_add(&run->journal, &run->journal.frames, frame, run->message);
     }
-    frame_take(&run->record.frames, step, t, bodies, frame);
-    const int failed = journal_add(&run->journal, &run->journal.frames, frame, run->message);
+    free(fork.memory);
     free(frame);
     return failed != 0 ? stop(run, RUN_FAILED) : 0;
 }

@@ -139,7 +139,7 @@ static int read_frame(hid_t file, const struct record *record, int64_t k, double
     for (int q = 0; !failed && q < count; ++q) {
         char name[64];
         snprintf(name, sizeof name, "VTKHDF/PointData/%s", list[q].name);
-        if (list[q].derive == NULL && list[q].field == 0)
+        if (list[q].derive == NULL)
             failed = read_rows(file, name, layout->n * k, layout->n, list[q].components, frame + list[q].place);
     }
     return failed;

@@ -105,16 +105,22 @@ static void owned(vti_bodies *b, vti_view *view[OWNED], vti_view *residual[WITH_
 int state_fork_create(struct fork *fork, const vti_bodies *of, int own)
 {
     vti_view *view[OWNED], *residual[WITH_RESIDUAL];
+    int64_t there = 0;
     *fork = (struct fork){*of, own, NULL};
     if (own == 0)
         return 0;
-    fork->memory = calloc((size_t)(3 * OWNED * of->count), sizeof *fork->memory);
+    owned(&fork->bodies, view, residual);
+    for (int k = 0; k < OWNED; ++k)
+        there += (own >> k & 1) != 0 && view[k]->c[0] != NULL;
+    fork->memory = calloc((size_t)(3 * there * of->count + 1), sizeof *fork->memory);
     if (fork->memory == NULL)
         return -1;
-    owned(&fork->bodies, view, residual);
+    double *next = fork->memory;
     for (int k = 0; k < OWNED; ++k) {
-        if ((own >> k & 1) != 0 && view[k]->c[0] != NULL)
-            *view[k] = vti_view_packed(fork->memory + 3 * of->count * k);
+        if ((own >> k & 1) != 0 && view[k]->c[0] != NULL) {
+            *view[k] = vti_view_packed(next);
+            next += 3 * of->count;
+        }
         if ((own >> k & 1) != 0 && k < WITH_RESIDUAL)
             *residual[k] = vti_view_none();
     }

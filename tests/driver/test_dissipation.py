@@ -131,12 +131,6 @@ def pieces(base):
 
 
 def refusals(base):
-    breaks = run(RUN, f"{base}/snap.yaml", "--set", "bond_dashpot.zeta=0.02", "--fields", "force", "-o", f"{base}/none.h5")
-    check(breaks.returncode == 1 and "--fields: the forces of binder depend on what was before" in breaks.stderr,
-          f"--fields: {breaks.stderr.strip()}")
-    remembers = run(RUN, f"{base}/heap.yaml", "--fields", "force", "-o", f"{base}/none.h5")
-    check(remembers.returncode == 1 and "--fields: the forces of friction depend on what was before" in remembers.stderr,
-          f"--fields: {remembers.stderr.strip()}")
     for key in ("friction.wall_sliding", "dashpot.wall_restitution"):
         walls = run(RUN, f"{base}/mill.yaml", "--set", key + "=[0.5, 0.25]", "-o", f"{base}/none.h5")
         check(walls.returncode == 1 and len(walls.stderr.splitlines()) == 1
