@@ -105,8 +105,8 @@ static int save_by_the_way(const struct poll *p, int64_t step, double t, const v
     return 0;
 }
 
-/** Sees the bodies before the recorders do, so that the checkpoint's step is the first that is not yet in the
- *  journal. */
+/** Sees the bodies before the recorders do, so that the checkpoint's step is the first that is not yet in the journal;
+ *  see_step has looked. */
 static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     const struct poll *p = self;
@@ -176,15 +176,29 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
 }
 
 /** It looks at no velocities: what bonds turn by, verdict_step, is seen by the attitudes. */
-static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
+static int look_at_step(struct run *run, double t, const vti_bodies *bodies)
 {
-    struct run *run = self;
     struct travel_tally tally;
-    (void)step;
     if (travel_tally(&run->travel, &tally))
         verdict_longest(&run->verdict, tally.longest);
     verdict_step(&run->verdict, t, bodies);
     return 0;
+}
+
+/** Before the checkpoint, so that a run that goes on from it does not look again: the forces that a stepper leaves may be
+ *  those of other positions, and the run finds those of its positions as it begins. */
+static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct run *run = self;
+    const int seen = step == run->from && step > 0;
+    return step % run->look_every == 0 && !seen ? look_at_step(run, t, bodies) : 0;
+}
+
+/** After it, an end between two looks, which a run with a later end does not have. */
+static int see_end(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct run *run = self;
+    return step % run->look_every != 0 ? look_at_step(run, t, bodies) : 0;
 }
 
 /* ---- the end ----------------------------------------------------------------------------------------------------- */
@@ -226,7 +240,7 @@ static enum run_end write_files(struct run *run)
 }
 
 /** Steps between looks: each, or, where a look ends a step that would be longer, what rows and frames both need. */
-static int64_t look_every(const struct run *run)
+static int64_t find_look_every(const struct run *run)
 {
     struct travel_tally tally;
     int64_t every = run->checkpoint.record_every, other = run->checkpoint.frames_every;
@@ -244,16 +258,18 @@ enum run_end run_go(struct run *run, const struct run_watch *watch, struct messa
 {
     enum { POLL_BODIES = 8192 };
     struct poll poller = {run, watch, 1, 0};
-    const int64_t every = look_every(run);
-    const struct observer observers[] = {{poll, &poller, every, 1, poll_looks, poll_wants},
-                                         {see_step, run, every, 1, loop_never_looks, NULL},
+    const int64_t every = run->look_every = find_look_every(run);
+    const struct observer observers[] = {{see_step, run, every, 1, loop_never_looks, NULL},
+                                         {poll, &poller, every, 1, poll_looks, poll_wants},
+                                         {see_end, run, every, 1, loop_never_looks, NULL},
                                          {see_row, run, run->checkpoint.record_every, 0, NULL, NULL},
                                          {see_frame, run, run->checkpoint.frames_every, 0, NULL, NULL}};
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = clock_now();
     run->poll_every = travel_pause(&run->travel, POLL_BODIES);
-    if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
+    if (travel_show(&run->travel, run->steps - run->from, observers, sizeof observers / sizeof observers[0],
+                    message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {
         run->end = RUN_FAILED; /* nothing has happened that files could tell of */

@@ -419,6 +419,32 @@ def prolonged_and_killed(base):
     check(result.returncode == 0 and contents(f"{base}/out") == contents(f"{base}/whole/out"), f"... and it goes on {result.stderr}")
 
 
+TOUCHING = """bodies: {chain: {count: 2, spacing: 1.02}, diameter: 1, mass: 1, random: {seed: 3, v: 1}}
+contact: {stiffness: 1000}
+wall: {stiffness: 1000, planes: [[0, 0, 1, -0.52]]}
+gravity: [0, 0, -9.81]
+h: 1/512
+t_end: 1/8
+"""
+
+
+def looked_at_once(base):
+    """Steppers that leave the forces of other positions than the bodies': where a run goes on, the verdict does not take
+    the largest force so far from those of the bodies' positions, which it begins with."""
+    with open(f"{base}/touching.yaml", "w", encoding="utf-8") as file:
+        file.write(TOUCHING)
+    for stepper in ("an7", "srkn14"):
+        start = [f"{base}/touching.yaml", "--stepper", stepper, "--record", "64", "--frames", "64", "-o"]
+        run(RUN, *start, f"{base}/whole/out.h5")
+        same_bytes = []
+        for step in range(57, 64):  # before a contact: the force grows from step to step
+            name = f"{base}/{stepper}-{step}/out"
+            run(RUN, *start, f"{name}.h5", "--t-end", f"{step}/512")
+            run(RUN, *start, f"{name}.h5", "--resume")
+            same_bytes.append(contents(name) == contents(f"{base}/whole/out"))
+        check(all(same_bytes), f"{stepper}: prolonged from each of the last steps to the same bytes")
+
+
 def unheard(base):
     """Who reads standard output has gone: it is said, and the files are there."""
     arguments = [scene("torus"), "--t-end", "0.1"]
@@ -594,8 +620,8 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
           signals, far_from_multiples, between_rows, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged,
-          fields, continued, refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken,
-          refused_resumes, refused]
+          fields, continued, refused_ends, completed, prolonged_and_killed, looked_at_once, unheard,
+          prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
