@@ -5,7 +5,7 @@ import os
 import subprocess
 import time
 
-PATIENCE = 120  # seconds; what takes longer hangs
+PATIENCE = 300  # seconds; what takes longer hangs, on a busy machine and under sanitizers too
 # Open MPI refuses root, which is who one is in a container, and more ranks than cores (said in one way up to 4 and in
 # another from 5 on); its fast path between ranks needs a right that containers lack; 5 warns of ranks that no network
 # joins. Looking for networks takes most of a start (pml), a single rank needs no daemon (isolated), one that waits
