@@ -158,7 +158,7 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     if (v->diameter > 0.0)
         f->travel = number_larger(f->travel, places_travel(v, bodies));
     if (v->model->translates)
-        f->rounding = fmax(f->rounding, places_rounding(v, bodies, &f->fastest));
+        f->rounding = fmax(f->rounding, places_rounding(v, bodies, f->scale, &f->fastest));
     f->deepest = fmax(f->deepest, stability_deepest(v->model, bodies));
     f->rotation = number_larger(f->rotation, vti_max_turn(v->h, bodies));
     const double longest = v->model->scene->tolerance > 0.0 ? INFINITY : v->h;

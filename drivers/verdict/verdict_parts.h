@@ -39,7 +39,8 @@ void stability_step(struct verdict *v, double t, const vti_bodies *bodies);
 double places_travel(const struct verdict *v, const vti_bodies *bodies);
 
 /** The largest share of its way h|v| that rounding may take from a body in a step, or add to it: half the spacing of
- *  doubles at its place, of bodies that move by more than a hundredth of *fastest, the largest speed so far. */
-double places_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest);
+ *  doubles at its place, of bodies that move by more than a hundredth of *fastest, the largest speed so far, and more
+ *  than energy, that of the whole, may make them by rounding. */
+double places_rounding(const struct verdict *v, const vti_bodies *bodies, double energy, double *fastest);
 
 #endif

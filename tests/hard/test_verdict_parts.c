@@ -513,6 +513,14 @@ TEST(remedies)
            "rounding takes up to 0.011 of their displacement in a step; move the origin nearer");
     warned("bodies: {x: [0, -1e6, 0], v: [1e-2, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
     warned("bodies: {x: [0, -1e9, 0], v: [0, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
+    /* nor has one whose velocity is rounding beside how it turns */
+    static const char turning[] =
+        "bodies: {x: [0, -1e9, 0], v: [%s, 0, 0], alpha: [0, 0, 0], omega: [0, 1, 0], mass: 2, "
+        "inertia: 1}\nh: 1e-3\nt_end: 1\n";
+    snprintf(text, sizeof text, turning, "1e-2");
+    warned(text, "rounding takes");
+    snprintf(text, sizeof text, turning, "1e-7");
+    warned(text, NULL);
     snprintf(text, sizeof text, fast, "vti2", "dashpot: {restitution: 0.5}\n");
     warned(text, "; reduce h to 0.00025"); /* 0.01 */
     snprintf(text, sizeof text, "%sstepper: vti2\n", pendulum);
