@@ -56,10 +56,8 @@ double places_travel(const struct verdict *v, const vti_bodies *bodies)
 
 /* ---- beside rounding --------------------------------------------------------------------------------------------- */
 
-/** Slower ones, such as bodies where they turn back, stand for nothing; nor do those whose kinetic energy is rounding
- *  beside that of the whole, as in a rod that is twisted and goes nowhere. */
-static const double slow = 0.01;   /* of the fastest of the run */
-static const double least = 1e-12; /* of the energy */
+/** Slower ones, such as bodies where they turn back, stand for nothing. */
+static const double slow = 0.01; /* of the fastest of the run */
 
 static double largest_of(const vti_view *view, int64_t i)
 {
@@ -67,14 +65,14 @@ static double largest_of(const vti_view *view, int64_t i)
     return fmax(fmax(fabs(view->c[0][at]), fabs(view->c[1][at])), fabs(view->c[2][at]));
 }
 
-double places_rounding(const struct verdict *v, const vti_bodies *bodies, double energy, double *fastest)
+double places_rounding(const struct verdict *v, const vti_bodies *bodies, double idle, double *fastest)
 {
     double most = 0.0;
     for (int64_t i = 0; i < bodies->count; ++i)
         *fastest = fmax(*fastest, largest_of(&bodies->v, i));
     for (int64_t i = 0; i < bodies->count; ++i) {
         const double speed = largest_of(&bodies->v, i), mass = bodies->mass.p[i * bodies->mass.stride];
-        const int moves = speed > slow * *fastest && 0.5 * mass * speed * speed > least * energy;
+        const int moves = speed > slow * *fastest && 0.5 * mass * speed * speed > idle;
         if (moves && v->h > 0.0) /* where steps vary, it is not known of the first row */
             most = fmax(most, 0.5 * DBL_EPSILON * largest_of(&bodies->x, i) / (v->h * speed));
     }
