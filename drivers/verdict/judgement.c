@@ -171,7 +171,8 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
     double fastest = 0.0;
     if (v->model->scene->tolerance > 0.0) /* h is not that of the steps */
         return 0;
-    const double rounding = v->model->translates ? places_rounding(v, bodies, &fastest) : 0.0;
+    const double idle = stability_idle(v->model, bodies);
+    const double rounding = v->model->translates ? places_rounding(v, bodies, idle, &fastest) : 0.0;
     if (rounding > much_rounding)
         message_set(&lines[n++],
                     "bodies are so far from the origin that rounding takes up to %.2g of their displacement in a "

@@ -65,14 +65,15 @@ static double largest_of(const vti_view *view, int64_t i)
     return fmax(fmax(fabs(view->c[0][at]), fabs(view->c[1][at])), fabs(view->c[2][at]));
 }
 
-double places_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest)
+double places_rounding(const struct verdict *v, const vti_bodies *bodies, double idle, double *fastest)
 {
     double most = 0.0;
     for (int64_t i = 0; i < bodies->count; ++i)
         *fastest = fmax(*fastest, largest_of(&bodies->v, i));
     for (int64_t i = 0; i < bodies->count; ++i) {
-        const double speed = largest_of(&bodies->v, i);
-        if (speed > slow * *fastest && v->h > 0.0) /* where steps vary, it is not known of the first row */
+        const double speed = largest_of(&bodies->v, i), mass = bodies->mass.p[i * bodies->mass.stride];
+        const int moves = speed > slow * *fastest && 0.5 * mass * speed * speed > idle;
+        if (moves && v->h > 0.0) /* where steps vary, it is not known of the first row */
             most = fmax(most, 0.5 * DBL_EPSILON * largest_of(&bodies->x, i) / (v->h * speed));
     }
     return most;

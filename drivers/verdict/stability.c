@@ -72,6 +72,22 @@ double stability_deepest(const struct model *model, const vti_bodies *bodies)
     return most;
 }
 
+static void add_stiffness(void *sum, const vti_spring *s)
+{
+    *(double *)sum += s->axial + s->across + s->shear + s->bend + s->twist;
+}
+
+double stability_idle(const struct model *model, const vti_bodies *bodies)
+{
+    double sum = 0.0;
+    for (int64_t k = 0; k < model->effects_count; ++k) {
+        const vti_effect *e = &model->effects[k];
+        if (e->springs != NULL)
+            (void)e->springs(e->self, bodies, NULL, add_stiffness, &sum);
+    }
+    return isfinite(sum) ? 0.5e-18 * sum : 0.0;
+}
+
 /** Rows 0 to 31, every second of the next 32, every fourth of the next 64, ... */
 static int is_looked_at(double row)
 {

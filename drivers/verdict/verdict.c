@@ -124,7 +124,7 @@ static void look_at_energies(struct verdict *v, double t, double total, double k
     }
     f->highest = fmax(f->highest, total);
     f->lowest = fmin(f->lowest, total);
-    const double noise = rounding * f->size, change = total - f->first;
+    const double noise = rounding * f->size + f->idle, change = total - f->first;
     const double other = isnan(kicked) ? change : kicked - f->first_kicked;
     const double grown = change > most_swing * verdict_scale(f) ? change : fmin(change, other);
     const double bad = VERDICT_MOST_GAIN * verdict_scale(f), last = f->gain;
@@ -151,6 +151,8 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
         f->broken = 1.0;
         return;
     }
+    if (f->rows == 0.0)
+        f->idle = stability_idle(v->model, bodies);
     f->scale = fmax(f->scale, inner);
     f->size = fmax(f->size, size);
     f->booked = fmax(f->booked, booked);
@@ -158,7 +160,7 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     if (v->diameter > 0.0)
         f->travel = number_larger(f->travel, places_travel(v, bodies));
     if (v->model->translates)
-        f->rounding = fmax(f->rounding, places_rounding(v, bodies, &f->fastest));
+        f->rounding = fmax(f->rounding, places_rounding(v, bodies, f->idle, &f->fastest));
     f->deepest = fmax(f->deepest, stability_deepest(v->model, bodies));
     f->rotation = number_larger(f->rotation, vti_max_turn(v->h, bodies));
     const double longest = v->model->scene->tolerance > 0.0 ? INFINITY : v->h;

@@ -83,6 +83,7 @@ struct findings {
     double rows, broken;
     double first, first_kicked; /* H(0), H~(0) */
     double scale, size;         /* S; the largest sum of |terms|, whose rounding is no gain */
+    double idle;                /* nor is less than this, which rounding gives to springs at rest */
     double booked;              /* the largest sum of what has been booked, |Q| */
     double gain, gain_t, loss;  /* the largest; gain_t is when it was first bad */
     double highest, lowest;     /* H */

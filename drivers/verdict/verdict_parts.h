@@ -24,6 +24,9 @@ double stability_slowing_free(const struct model *model, const vti_stepper *step
 double stability_way_error(const vti_stepper *stepper, double z);
 /** The largest overlap with each other or with walls. */
 double stability_deepest(const struct model *model, const vti_bodies *bodies);
+/** What rounding alone may give springs that nothing strains: the energy of strains and angles of 1e-9, of all of them
+ *  where the bodies are. */
+double stability_idle(const struct model *model, const vti_bodies *bodies);
 /** At a row: the stable step, where it is due, and the largest share of it that steps took. */
 void stability_row(struct verdict *v, double t, const vti_bodies *bodies, const double *row);
 /** At a step: overlaps and the stable step, where the largest force on a body exceeds by a quarter that of any step
@@ -39,7 +42,8 @@ void stability_step(struct verdict *v, double t, const vti_bodies *bodies);
 double places_travel(const struct verdict *v, const vti_bodies *bodies);
 
 /** The largest share of its way h|v| that rounding may take from a body in a step, or add to it: half the spacing of
- *  doubles at its place, of bodies that move by more than a hundredth of *fastest, the largest speed so far. */
-double places_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest);
+ *  doubles at its place, of bodies that move by more than a hundredth of *fastest, the largest speed so far, and with
+ *  more than idle, which rounding may give to a rod that is at rest, or twisted, and goes nowhere. */
+double places_rounding(const struct verdict *v, const vti_bodies *bodies, double idle, double *fastest);
 
 #endif

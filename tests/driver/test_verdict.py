@@ -178,6 +178,12 @@ def runs(base):
         warnings = [line for line in lines if line.startswith("warning: ")]
         check((found["verdict"] == b"doubtful") == said == (words[1] in lines[-1]) and [words[0] in line for line in warnings] == [True] * said,
               f"2^-53 x/(h v) from x = {x}: {lines[-1]}")
+    with open(f"{base}/rod.yaml", "w", encoding="ascii") as file: # whose forces across it are rounding
+        file.write("bodies: {chain: {count: 4, spacing: 1, start: [5, 5, 5], direction: [1, 2, 3]}, mass: 1, omega: [0.1, 0.2, 0.3]}\n"
+                   "binder: {moment: 10, axial: 200, shear: {stiffness: 200}}\nh: 1e-2\nt_end: 20\n")
+    for how, options in ("turns about its own axis", ()), ("rests", ("--set", "bodies.omega=[0,0,0]")):
+        _, lines, found = verdict(base, f"{base}/rod.yaml", *options)
+        check(found["verdict"] == b"good" and found["energy_gain"] == 0, f"a rod that {how} goes nowhere: {lines[-1]}")
     with open(f"{base}/rest.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {chain: {count: 3, spacing: 1}, mass: 1}\nbinder: {axial: 1}\nh: 1/16\nt_end: 1\n")
     result, lines, found = verdict(base, f"{base}/rest.yaml", "--record", "1")

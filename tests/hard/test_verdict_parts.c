@@ -513,6 +513,14 @@ TEST(remedies)
            "rounding takes up to 0.011 of their displacement in a step; move the origin nearer");
     warned("bodies: {x: [0, -1e6, 0], v: [1e-2, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
     warned("bodies: {x: [0, -1e9, 0], v: [0, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
+    /* what rounding may give to a bond at rest, 0.5e-18 K = 1e-16, is none either */
+    static const char bonded[] =
+        "bodies: {chain: {count: 2, spacing: 1, start: [0, -1e9, 0]}, mass: 2, v: [%s, 0, 0]}\n"
+        "binder: {axial: 200}\nh: 1e-3\nt_end: 1\n";
+    snprintf(text, sizeof text, bonded, "1.1e-8");
+    warned(text, "rounding takes");
+    snprintf(text, sizeof text, bonded, "0.9e-8");
+    warned(text, NULL);
     snprintf(text, sizeof text, fast, "vti2", "dashpot: {restitution: 0.5}\n");
     warned(text, "; reduce h to 0.00025"); /* 0.01 */
     snprintf(text, sizeof text, "%sstepper: vti2\n", pendulum);

@@ -46,14 +46,15 @@ const struct scene_field binder_fields[BINDER_FIELDS] = {
     {"binder.until", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(until), "time of the last bonds",
      "Until this time, which is later than from; without it there is no end.", NULL},
     {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[0]), "stiffness K^m",
-     "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
+     "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies; of a beam E I/L0.",
+     NULL},
     {"binder.axial", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[1]), "stiffness K^a",
-     "Energy: stretching costs K^a/2 (r/L0 - 1)^2.", NULL},
+     "Energy: stretching costs K^a/2 (r/L0 - 1)^2; of a beam E A L0.", NULL},
     {"binder.shear", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "shear of bonds",
      "Turning of the bond against its bodies.", NULL},
     {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[2]), "stiffness K^s",
-     "Energy: small shear angles gamma cost K^s/2 gamma^2 in the objective form. Needed, unless the table has a column "
-     "shear.",
+     "Energy: small shear angles gamma cost K^s/2 gamma^2 in the objective form; of a beam 1/(1/(k G A L0) + L0/(12 E "
+     "I)), k = 9/10 if round. Needed, unless the table has a column shear.",
      NULL},
     {"binder.shear.form", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(shear_form), "form of the shear energy",
      "objective (default): unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in "

@@ -21,7 +21,8 @@ static const struct scene_field fields[] = {
     {"bond_dashpot", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "dashpots of bonds",
      "Damps the bonds; steppers with negative coefficients are refused.", NULL},
     NUMBER_AT(zeta, "damping ratio",
-              "Of each term that a bond has, by its own stiffness; adds to the coefficients below."),
+              "Of each term of a bond alone, by its own stiffness; in a chain slower motions have less, about in "
+              "proportion to their frequency. Adds to the coefficients below."),
     NUMBER_AT(axial, "axial coefficient", "Mass per time, along the bond."),
     NUMBER_AT(shear, "shear coefficient", "Mass per time, across the bond."),
     NUMBER_AT(bending, "bending coefficient", "Energy times time; bodies turn then."),
