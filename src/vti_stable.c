@@ -326,7 +326,7 @@ int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *b, c
         return status;
     struct tally t = {b, scratch, 0, 0, VTI_OK, 0, {0.0, 0}, {0.0, 0}, {-1, -1}, {INFINITY, -1, -1, -1, -1}};
     status = share_out(effects, n, at, &t);
-    if (status == VTI_OK)
+    if (status == VTI_OK && t.largest != INT_MIN) /* else all are slack */
         status = each_spring(effects, n, at, find_most, &t);
     if (status == VTI_OK && t.at[0] >= 0)
         status = each_spring(effects, n, at, name_heaviest, &t);
