@@ -86,6 +86,12 @@ static struct wide share_over(const vti_scalars *s, double z, int64_t i)
     return s->p != NULL && i >= 0 ? over(wide(z, 0), wide(vti_scalar(s, i), 0)) : wide(0.0, 0);
 }
 
+/** Whether a spring does nothing but pull bodies by their centres: contacts and walls, most of all springs. */
+static int only_pulls(const vti_spring *s)
+{
+    return s->shear == 0.0 && s->bend == 0.0 && s->twist == 0.0 && s->lever_i == 0.0 && (s->j < 0 || s->lever_j == 0.0);
+}
+
 /** The larger eigenvalue of [[p, g], [g, q]], g^2 = r/4. */
 static struct wide eigenvalue(struct wide p, struct wide q, struct wide r)
 {
@@ -130,10 +136,14 @@ static struct share share_at(const vti_spring *s, const vti_bodies *b, double z,
  *  s the arms, and d = (0, 0, 1, -1). The omega^2 of the first two terms are the eigenvalues of
  *      [ K^shear gg                    (K^shear K^bend)^{1/2} gd ]    gg = g.M^-1 g = a + s_i^2 b_i + s_j^2 b_j,
  *      [ (K^shear K^bend)^{1/2} gd     K^bend dd                 ]    gd = s_j b_j - s_i b_i,  dd = b_i + b_j,
- *  and the third adds at most K^across a. */
+ *  and the third adds at most K^across a. Of what only pulls nothing else is left, and it is the larger of the two. */
 static struct wide omega2(const vti_spring *s, const vti_bodies *b, double zi, double zj)
 {
     const struct wide length = wide(s->length, 0), axial = wide(s->axial, 0), across = wide(s->across, 0);
+    if (only_pulls(s)) {
+        const struct wide mass = plus(share_over(&b->mass, zi, s->i), share_over(&b->mass, zj, s->j));
+        return times(larger(axial, across), over(mass, times(length, length)));
+    }
     const struct wide shear = wide(s->shear, 0), bend = wide(s->bend, 0), twist = wide(s->twist, 0);
     const struct wide ai = wide(s->arm_i * s->arm_i, 0), aj = wide(s->arm_j * s->arm_j, 0);
     const struct share at_i = share_at(s, b, zi, s->i, s->lever_i), at_j = share_at(s, b, zj, s->j, s->lever_j);
@@ -316,7 +326,7 @@ int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *b, c
         return status;
     struct tally t = {b, scratch, 0, 0, VTI_OK, 0, {0.0, 0}, {0.0, 0}, {-1, -1}, {INFINITY, -1, -1, -1, -1}};
     status = share_out(effects, n, at, &t);
-    if (status == VTI_OK)
+    if (status == VTI_OK && t.largest != INT_MIN) /* else all are slack */
         status = each_spring(effects, n, at, find_most, &t);
     if (status == VTI_OK && t.at[0] >= 0)
         status = each_spring(effects, n, at, name_heaviest, &t);

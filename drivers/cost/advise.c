@@ -111,6 +111,9 @@ static int look_at(struct stages *g)
     vti_stable begin;
     if (model_create(s->scene, &model, s->message) != 0)
         return -1;
+    s->purse.start = clock_now() - g->from;
+    if (g->request->begin != NULL)
+        g->request->begin(&model);
     s->dissipates = model_dissipates(&model) != NULL;
     s->advice->checked = vti_stepper_find(s->dissipates ? "chin4" : "srkn11");
     s->advice->nominal = search_order(s, s->advice->checked);
@@ -121,9 +124,12 @@ static int look_at(struct stages *g)
     s->doubt = s->breaks ? 30.0 : s->kinked ? 10.0 : 3.0;
     int failed = model_find_limits(&model, &s->advice->limits, s->message);
     s->advice->energy = model_energy(&model, &model.bodies);
-    const vti_deformation at = {s->advice->limits.at.overlap, 0.0, s->advice->limits.at.meet};
-    if (failed == 0)
+    vti_deformation at = s->advice->limits.at;
+    begin = s->advice->limits.within;
+    if (failed == 0 && at.strain > 0.0) {
+        at.strain = 0.0;
         failed = model_stable_step(&model, &model.bodies, &at, &begin, s->message);
+    }
     s->stable_h = failed == 0 ? begin.h : NAN;
     if (failed == 0)
         failed = choose_measure(g, &model, s->message);
@@ -240,6 +246,7 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     g.search.message = message;
     g.search.purse.until = request->budget > 0.0 ? g.from + request->budget : INFINITY;
     int failed = look_at(&g);
+    advice->start = clock_now() - g.from;
     if (failed == 0)
         failed = refuse_uncountable(&g);
     if (failed == 0) {

@@ -17,11 +17,15 @@ enum {
 /** Looked at inside pilots. work is counted, so that without a time the same runs are made on every machine. */
 struct purse {
     double until;      /* seconds of clock_now; INFINITY: any time */
+    double start;      /* seconds before the first step of a pilot, as the last one took */
     double work, most; /* force evaluations and looks at the energy, times bodies: spent, and how many may be */
 };
 
 /** Force evaluations times bodies, about half a second of them, that pilots may always take. */
 enum { PURSE_LEAST = 4000000 };
+
+/** Whether there is time to start the scene once more, which nothing interrupts. */
+int purse_may_start(const struct purse *purse);
 
 /* ---- pilot runs -------------------------------------------------------------------------------------------------- */
 
@@ -110,6 +114,7 @@ struct advise_request {
     double budget;                      /* seconds; 0: the share of the predicted run that advise_share says */
     const vti_stepper *const *steppers; /* count of them; 0: all of ours that the scene may be run by */
     int64_t count;
+    void (*begin)(const struct model *model);        /* sees the scene before any run; may be NULL */
     void (*say)(const char *stepper, int64_t steps); /* hears of every run; may be NULL */
 };
 
@@ -127,6 +132,7 @@ struct advice {
     const vti_stepper *checked;  /* whose runs these were */
     double known;                /* error of the solution that others are compared with; NaN: there is none */
     double budget;               /* that was asked for; 0: none was */
+    double start;                /* seconds before the first pilot: of the scene's start and its stable step */
     double seconds, work, evals; /* that the pilots took; evaluations times bodies, and evaluations */
     int64_t count;
     struct offer offers[ADVICE_MOST]; /* by rising seconds, rivals after ours; the first is the advice */

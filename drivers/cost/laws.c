@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "clock.h"
 #include "plain.h"
 
 enum { DONE = ADVISE_PARTED + 1 };
@@ -134,19 +135,23 @@ static int make_law_again(struct stages *g)
     return fmin(wanted, may) < worth * seen || may < 1.0 ? 0 : make_law(g, best, share, 1.0, wanted);
 }
 
-/** Where seconds are limited, the pace: a few steps, before it is decided how much of the time the first runs go
- *  over. */
+/** Where seconds are limited, the pace: a few steps, for a small share of them, before it is decided how much of the
+ *  time the first runs go over. */
 static int feel_pace(struct stages *g)
 {
     enum { STEPS = 64 };
+    static const double share = 0.1;
     struct search *s = &g->search;
     const vti_stepper *exact = vti_stepper_find("exact");
+    const double until = s->purse.until;
     struct pilot pilot;
     if (!isfinite(s->purse.until) || s->purse.work > 0.0)
         return 0;
     s->t_end = s->advice->t_end;
     s->t_end *= fmin(1.0, (double)STEPS / (double)search_fewest(s, exact));
+    s->purse.until -= (1.0 - share) * fmax(until - s->purse.start - clock_now(), 0.0);
     const int result = search_run(s, exact, STEPS, &pilot);
+    s->purse.until = until;
     pilot_destroy(&pilot);
     return result < 0 ? -1 : 0;
 }

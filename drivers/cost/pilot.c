@@ -21,6 +21,11 @@ static int purse_is_empty(const struct purse *purse, double more)
     return purse->work + more >= purse->most || (isfinite(purse->until) && clock_now() >= purse->until);
 }
 
+int purse_may_start(const struct purse *purse)
+{
+    return !isfinite(purse->until) || clock_now() + purse->start < purse->until;
+}
+
 /* ---- on the way -------------------------------------------------------------------------------------------------- */
 
 /** A pilot and what looks at it. */
@@ -217,10 +222,12 @@ int pilot_run(const struct scene *scene, const struct trial *trial, struct purse
     memset(pilot, 0, sizeof *pilot);
     pilot->steps = trial->steps;
     pilot->marked = trial->steps % PILOT_MARKS == 0;
-    if (purse_is_empty(purse, 0.0))
+    if (purse_is_empty(purse, 0.0) || !purse_may_start(purse))
         return ADVISE_SPENT;
+    const double from = clock_now();
     if (trial_begin(&flight.run, scene, trial, message) != 0)
         return -1;
+    purse->start = clock_now() - from;
     pilot->memory = calloc((size_t)(12 * PILOT_MARKS * flight.run.model.bodies.count), sizeof *pilot->memory);
     const int without = pilot->memory == NULL;
     if (way.nudge > 0.0)

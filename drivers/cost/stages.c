@@ -54,7 +54,7 @@ static void time_again(struct search *s, struct offer *o)
     static const double blink = 5e5; /* evaluations of a body, a twentieth of a second or so */
     const double work = (double)o->force_evals * (double)s->bodies;
     struct message ignored;
-    for (int k = 0; k < TIMES && work < blink && clock_now() < s->purse.until; ++k) {
+    for (int k = 0; k < TIMES && work < blink && purse_may_start(&s->purse); ++k) {
         const double seconds = race_sample(s->scene, o->stepper, o->h, s->t_end, &ignored);
         o->seconds = k == 0 && seconds > 0.0 ? seconds : fmin(o->seconds, seconds);
         s->purse.work += work;

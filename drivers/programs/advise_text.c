@@ -124,11 +124,11 @@ void advise_text(const struct scene *scene, const struct advice *a, FILE *file)
     fprintf(file, " and %.3g force evaluations\n", a->evals);
 }
 
-/** Why the error is far below what was asked for, if it is. */
+/** Why the error is far below what was asked for, if that is known. */
 static void say_small(const struct offer *best, double asked, double stable, FILE *file)
 {
     static const double far = 0.29; /* below what any search aims at */
-    if (!(best->error < far * asked))
+    if (!(best->error < far * asked) || !isfinite(best->doubt))
         return;
     fprintf(file, "note: %sthe error is ",
             isfinite(best->missed)   ? ""
@@ -181,7 +181,9 @@ void advise_warnings(const struct scene *scene, const struct advice *a, FILE *fi
                 best->stepper->name, a->t_end);
     say_small(best, a->target, stable_least(&a->limits, best->stepper), file);
     const double wanted = two_runs * (double)best->force_evals;
-    if (best->source == OFFER_STABILITY && a->evals > 0.0 && a->evals < wanted)
+    if (best->source == OFFER_STABILITY && a->evals == 0.0 && a->budget > 0.0)
+        fprintf(file, "note: no pilot had time for a step: the scene's start and stable step took %.2g s\n", a->start);
+    else if (best->source == OFFER_STABILITY && a->evals > 0.0 && a->evals < wanted)
         fprintf(file, "note: pilots were not allowed to go over the whole time; --budget %.2g would do for two runs\n",
                 budget_for(a, wanted * a->seconds / a->evals));
     else if (best->source != OFFER_MEASURED && best->source != OFFER_STABILITY)

@@ -57,15 +57,18 @@ static void show(const char *stepper, int64_t steps)
     progress_say(line, clock_now() - begin);
 }
 
-/** What of the scene says nothing to any pilot. */
-static int say_unused(const struct scene *scene, FILE *file, struct message *message)
+/** What of the scene says nothing to any pilot, and how long these may take. */
+static void show_start(const struct model *model)
 {
-    struct model model;
-    if (model_create(scene, &model, message) != 0)
-        return -1;
-    unused_say(&model, scene->tables, file);
-    model_destroy(&model);
-    return 0;
+    FILE *file = json ? stderr : stdout;
+    unused_say(model, model->scene->tables, file);
+    if (budget == 0.0 && advise_share(model->scene) >= 1.0)
+        fprintf(
+            file,
+            "note: the forces of %s have kinks, which only runs over the whole time tell: pilots may take as long as "
+            "the run that is advised on; --budget sets another time\n",
+            scene_first_with(model->scene, EFFECT_KINKED));
+    fflush(file);
 }
 
 static int check_steppers(const vti_stepper *const *list, int64_t listed, struct message *message)
@@ -94,18 +97,10 @@ static int give_advice(struct scene *scene, struct message *message)
                                            .budget = budget,
                                            .steppers = list,
                                            .count = listed,
+                                           .begin = show_start,
                                            .say = show};
     if (measure != NULL && request.measure < 0)
         return message_set(message, "--measure: '%s' is none; take attitude, position, velocity or energy", measure);
-    if (say_unused(scene, json ? stderr : stdout, message) != 0)
-        return -1;
-    if (budget == 0.0 && advise_share(scene) >= 1.0)
-        fprintf(
-            json ? stderr : stdout,
-            "note: the forces of %s have kinks, which only runs over the whole time tell: pilots may take as long as "
-            "the run that is advised on; --budget sets another time\n",
-            scene_first_with(scene, EFFECT_KINKED));
-    fflush(stdout);
     begin = clock_now();
     log_as(options.program);
     const int failed = advise(&request, &advice, message);

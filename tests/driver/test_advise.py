@@ -291,6 +291,7 @@ def always():
     advice = json.loads(done.stdout)
     check(done.returncode == 0 and advice["source"] == "stability" and advice["predicted_error"] is None
           and advice["stepper"] == "exact" and advice["pilots"]["force_evals"] == 0, f"an answer for nothing: {done.stdout[:100]}")
+    check("no pilot had time for a step" in done.stderr, f"... which is said: {done.stderr.strip()}")
     text = run(advise, "--budget", "1e-9", "--steppers", "an4,abm8", scene("pendulum")).stdout
     rows = {row.split()[0]: row.split() for row in text.splitlines() if row.startswith("  a")}
     check(rows["an4"][2] == rows["an4"][3] and rows["abm8"][3] == "-", f"... of one evaluation a step, or who knows how many: {rows}")
@@ -566,7 +567,9 @@ def general_inertia():
 
 def says_why():
     """Why the error is far below what was asked for, and where h stands beside the stable step: the words fit the
-    numbers. The pendulum's step to t = 1/8 is a sixteenth of the stable one, 2; the chain's is as long as can be."""
+    numbers. The pendulum's step to t = 1/8 is a sixteenth of the stable one, 2; the chain's is as long as can be. Of a
+    ball that has met nothing in the part of the time that pilots went over the error is not known, and not said to be
+    0."""
     for name, t_end, words in (("pendulum", "1/8", "fewer steps are not tried"), ("chain", "4", "stability, not the error, sets the step")):
         said = run(advise, "--error", "0.1", "--steppers", "vti2", "--t-end", t_end, scene(name)).stdout
         check(f"note: {words}" in said, f"{name} to {t_end}: {words}")
@@ -574,8 +577,12 @@ def says_why():
     found = re.search("warning: h = (\\S+) is (near|above) the stable step (\\S+):", said)
     check(found and (float(found[1]) > 1.05 * float(found[3])) == (found[2] == "above"), f"near or above: {found and found[0]}")
     with tempfile.TemporaryDirectory() as folder:
+        ball = os.path.join(folder, "ball.yaml")
+        with open(ball, "w", encoding="ascii") as file:
+            file.write(BALL.replace("9.5", "1e7"))
+        said = run(advise, "--t-end", "5000", ball).stdout
+        check("nothing is known of how far off that is" in said and "the error is" not in said, f"a ball on its way: {said}")
         for place, warned in (0, True), (1, False):
-            ball = os.path.join(folder, "ball.yaml")
             with open(ball, "w", encoding="ascii") as file:
                 file.write(f"bodies: {{x: [0, 0, {place}], v: [0, 0, 0], mass: 1}}\ngravity: [0, 0, -1]\nh: 0.01\nt_end: 1\n")
             said = run(advise, "--error", "0.01", "--measure", "energy", "--steppers", "vti2", ball).stdout

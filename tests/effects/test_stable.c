@@ -165,6 +165,45 @@ TEST(parallel_springs)
     }
 }
 
+static void do_nothing(const void *self, const vti_bodies *b)
+{
+    (void)self, (void)b;
+}
+
+/** Reports a spring as it is. */
+static int give_spring(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                       void *context)
+{
+    (void)b, (void)at;
+    visit(context, self);
+    return VTI_OK;
+}
+
+/** What only pulls, of bodies and of numbers of any size, has the bits that it has beside a bending too weak to
+ *  matter, by which it is one of all springs. What is NaN shows. */
+TEST(only_pulls)
+{
+    rng g = rng_seed(3080);
+    for (int trial = 0; trial < 600; ++trial) {
+        crowd_clear(&c, 2, CROWD_ALPHA);
+        weigh(&g);
+        const double units = pow(10, uniform(&g, -60, 60));
+        vti_spring spring = {.i = 0, .j = trial % 2 ? 1 : -1, .length = pow(10, uniform(&g, -40, 40))};
+        spring.axial = trial % 3 != 0 ? units * uniform(&g, 0.1, 1) : 0;
+        spring.across = trial % 3 != 1 ? units * uniform(&g, 0.1, 1) : 0;
+        const vti_effect effect = {.name = "spring", .apply = do_nothing, .springs = give_spring, .self = &spring};
+        const double alone = crowd_stable(&c, &effect, 1, 0);
+        const double k = fmax(spring.axial, spring.across), m = 1 / c.mass[0] + (spring.j < 0 ? 0 : 1 / c.mass[1]);
+        const double expected = 2 * spring.length / sqrt(k * m);
+        assert_close(alone, expected, 8 * EPS * expected);
+        spring.bend = DBL_MIN * spring.length; /* less than any K/L^2 by 1e20 and more */
+        assert_true(crowd_stable(&c, &effect, 1, 0) == alone);
+        spring.bend = 0;
+        spring.axial = NAN;
+        assert_true(crowd_stable(&c, &effect, 1, 0) == 0);
+    }
+}
+
 /** A body with five bonds is faster than a pair with one that is stiffer than any of them: what is named is the
  *  stiffest bond of those at that body, not of all. */
 TEST(what_sets_the_step)
@@ -263,5 +302,5 @@ TEST(counted_from_one)
 }
 
 RUN_TESTS(cmocka_unit_test(torus_is_close), cmocka_unit_test(closed_forms), cmocka_unit_test(one_bond),
-          cmocka_unit_test(bent_bonds), cmocka_unit_test(parallel_springs), cmocka_unit_test(what_sets_the_step),
-          cmocka_unit_test(slice), cmocka_unit_test(counted_from_one))
+          cmocka_unit_test(bent_bonds), cmocka_unit_test(parallel_springs), cmocka_unit_test(only_pulls),
+          cmocka_unit_test(what_sets_the_step), cmocka_unit_test(slice), cmocka_unit_test(counted_from_one))
