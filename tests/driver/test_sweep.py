@@ -17,7 +17,7 @@ import time
 import h5py
 import numpy
 
-from programs import ENVIRONMENT, contents, holds, one_line, run, size_of
+from programs import ENVIRONMENT, PATIENCE, contents, holds, one_line, run, size_of
 from tally import MEMORY_TELLS, check, conclude
 
 STUDY, MPIRUN, SCENES = sys.argv[1:4]
@@ -242,7 +242,7 @@ def interrupted(base):
         while child.poll() is None and not (holds(f"{base}/legs/study.journal") and size_of(f"{base}/legs/study.journal") > before):
             time.sleep(0.001)
         child.send_signal(ending)
-        words = child.communicate(timeout=60)[1].decode()
+        words = child.communicate(timeout=PATIENCE)[1].decode()
         check(ending == signal.SIGKILL or re.search(r"stopped; \d+ of 65 points are kept", words), f"it tells of points {words.strip()}")
         check(child.returncode in (75, -signal.SIGKILL), f"it ends by {ending.name} with {child.returncode}")
     other = study(1, *arguments[:2], "pendulum.weight=1:2:1/32", *arguments[3:], "--resume", folder=f"{base}/legs")
@@ -276,7 +276,7 @@ def edited(base):
     child = start(f"{base}/edited", "a scene is edited", f"{base}/scene/chain.yaml", *arguments)
     with open(f"{base}/scene/chain.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {x: [0, 0, 0]}\n")
-    child.communicate(timeout=120)
+    child.communicate(timeout=PATIENCE)
     study(2, f"{base}/same/chain.yaml", *arguments, folder=f"{base}/whole")
     check(child.returncode == 0 and contents(f"{base}/edited", ["timing.csv"]) == contents(f"{base}/whole", ["timing.csv"]),
           "... and all points are of the scene as it was")
@@ -295,7 +295,7 @@ def edited(base):
     for what, change in (("changes", lambda: table("b", 300)), ("is gone", lambda: os.remove(f"{base}/b.csv"))):
         child = start(f"{base}/{what}", f"a table {what}", *arguments)
         change()
-        words = child.communicate(timeout=120)[1]
+        words = child.communicate(timeout=PATIENCE)[1]
         check(child.returncode == 1 and words.count("\n") == 1 and "b.csv" in words and os.listdir(f"{base}/{what}") == ["study.journal"],
               f"... and ends it: {words.strip()}")
         if what == "changes":
