@@ -168,18 +168,17 @@ void frame_fragments(const struct frame_layout *layout, const double *frame, dou
 int frame_quantities(const struct record *record, struct frame_quantity list[FRAME_QUANTITIES])
 {
     const struct frame_layout *layout = &record->frames;
-    const struct frame_quantity known[FRAME_KNOWN] = {
-        {"velocity", layout->v, 3, NULL},
-        {"omega", layout->omega, 3, NULL},
-        {"alpha", layout->alpha, 3, NULL},
-        {"attitude_xyzw", layout->alpha, 4, frame_attitudes},
-        {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first},
-        {"director", layout->alpha, 3, frame_directors},
-        {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids},
-        {"force", layout->force, 3, NULL},
-        {"moment", layout->moment, 3, NULL},
-        {"fragment", frame_has_fragments(layout), 1, frame_fragments},
-        {"lost", layout->lost, 1, frame_lost}};
+    const struct frame_quantity known[FRAME_KNOWN] = {{"velocity", layout->v, 3, NULL},
+                                                      {"omega", layout->omega, 3, NULL},
+                                                      {"alpha", layout->alpha, 3, NULL},
+                                                      {"attitude_xyzw", layout->alpha, 4, frame_attitudes},
+                                                      {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first},
+                                                      {"director", layout->alpha, 3, frame_directors},
+                                                      {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids},
+                                                      {"force", layout->force, 3, NULL},
+                                                      {"moment", layout->moment, 3, NULL},
+                                                      {"fragment", frame_has_fragments(layout), 1, frame_fragments},
+                                                      {"lost", layout->lost, 1, frame_lost}};
     int count = 0;
     for (int k = 0; k < FRAME_KNOWN; ++k)
         if (known[k].place != 0)

@@ -15,11 +15,12 @@ static double *memory(int64_t doubles, const struct record *record, struct messa
     return p;
 }
 
-int record_rows(const struct record *record, int (*take)(void *self, int64_t first, int64_t count, const double *rows),
-                void *self, struct message *message)
+/** All records of a stream, in blocks. */
+static int read_blocks(const struct record *record, struct journal_file *file,
+                       int (*take)(void *self, int64_t first, int64_t count, const double *rows), void *self,
+                       struct message *message)
 {
     enum { BLOCK = 4096 };
-    struct journal_file *file = &record->journal->rows;
     double *rows = memory(BLOCK * file->mark.doubles, record, message);
     int failed = rows == NULL;
     for (int64_t first = 0; !failed && first < file->mark.count; first += BLOCK) {
@@ -29,6 +30,19 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
     }
     free(rows);
     return failed ? -1 : 0;
+}
+
+int record_rows(const struct record *record, int (*take)(void *self, int64_t first, int64_t count, const double *rows),
+                void *self, struct message *message)
+{
+    return read_blocks(record, &record->journal->rows, take, self, message);
+}
+
+int record_touches(const struct record *record,
+                   int (*take)(void *self, int64_t first, int64_t count, const double *touches), void *self,
+                   struct message *message)
+{
+    return read_blocks(record, &record->journal->touches, take, self, message);
 }
 
 int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,
@@ -41,6 +55,21 @@ int record_frames(const struct record *record, int (*take)(void *self, int64_t k
         failed = journal_read(record->journal, file, k, 1, frame, message) != 0 || take(self, k, frame) != 0;
     free(frame);
     return failed ? -1 : 0;
+}
+
+void record_touch(int64_t frame, const struct touch *touch, double row[TOUCH_DOUBLES])
+{
+    row[TOUCH_FRAME] = (double)frame;
+    row[TOUCH_I] = (double)touch->i;
+    row[TOUCH_J] = (double)touch->j;
+    for (int c = 0; c < 3; ++c) {
+        row[TOUCH_FROM + c] = touch->from[c];
+        row[TOUCH_TO + c] = touch->to[c];
+        row[TOUCH_FORCE + c] = touch->normal[c] + touch->tangential[c];
+    }
+    row[TOUCH_NORMAL] = vti_norm(touch->normal);
+    row[TOUCH_TANGENTIAL] = vti_norm(touch->tangential);
+    row[TOUCH_OVERLAP] = touch->overlap;
 }
 
 struct box {

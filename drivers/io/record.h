@@ -6,6 +6,7 @@
 #include "columns.h"
 #include "model.h"
 #include "journal.h"
+#include "touch_forces.h"
 #include "verdict.h"
 
 /* ---- frames ----------------------------------------------------------------------------------------------------- */
@@ -68,6 +69,25 @@ void record_fields_say(int fields, FILE *file);
  *  Returns 0, or -1 with one line in *message. */
 int record_fields_check(int fields, const struct model *model, struct message *message);
 
+/* ---- what touches in frames ------------------------------------------------------------------------------------- */
+
+/** A touch in doubles, with --contacts: the frame that it is in, from 0, and the members of struct touch, of which the
+ *  forces are their sum and their sizes. */
+enum touch_column {
+    TOUCH_FRAME,
+    TOUCH_I,
+    TOUCH_J,
+    TOUCH_FROM,
+    TOUCH_TO = TOUCH_FROM + 3,
+    TOUCH_FORCE = TOUCH_TO + 3,
+    TOUCH_NORMAL = TOUCH_FORCE + 3,
+    TOUCH_TANGENTIAL,
+    TOUCH_OVERLAP,
+    TOUCH_DOUBLES
+};
+
+void record_touch(int64_t frame, const struct touch *touch, double row[TOUCH_DOUBLES]);
+
 /* ---- the record ------------------------------------------------------------------------------------------------- */
 
 struct record {
@@ -100,6 +120,11 @@ int frame_quantities(const struct record *record, struct frame_quantity list[FRA
  *  on. Returns 0, or -1 with one line in *message or if take did not return 0. */
 int record_rows(const struct record *record, int (*take)(void *self, int64_t first, int64_t count, const double *rows),
                 void *self, struct message *message);
+
+/** The same for all touches, in blocks of rows TOUCH_DOUBLES wide. */
+int record_touches(const struct record *record,
+                   int (*take)(void *self, int64_t first, int64_t count, const double *touches), void *self,
+                   struct message *message);
 
 /** The same for all frames, one by one. */
 int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,

@@ -8,7 +8,7 @@
 #include "quote.h"
 #include "run_formats.h"
 
-enum { HDF5, CSV, XDMF, DUMP, SPHERES, KINDS };
+enum { HDF5, CSV, XDMF, DUMP, SPHERES, CONTACTS, KINDS };
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
 
@@ -70,7 +70,7 @@ int run_files_name(struct run_files *files, const char *output, int dump, struct
 
 static void name_of(const struct run_files *files, int kind, char name[264])
 {
-    static const char *const endings[KINDS] = {NULL, ".csv", ".xdmf", ".dump", "-spheres.h5"};
+    static const char *const endings[KINDS] = {NULL, ".csv", ".xdmf", ".dump", "-spheres.h5", "-contacts.h5"};
     if (kind == HDF5)
         snprintf(name, 264, "%s", files->hdf5);
     else
@@ -89,11 +89,12 @@ static const struct mark marks[KINDS] = {
     {"<?xml version=\"1.0\"?>\n<Xdmf ", "bodies over time", NULL},
     {"ITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n", " x y z", of_lammps},
     {NULL, "spheres_of", NULL}, /* and not the run whose output is called OUT-spheres.h5 */
+    {NULL, "contacts_of", NULL},
 };
 
 int run_files_check(const struct run_files *files, struct message *message)
 {
-    const int wanted[KINDS] = {1, 1, 1, files->dump, files->spheres};
+    const int wanted[KINDS] = {1, 1, 1, files->dump, files->spheres, files->contacts};
     char name[KINDS][264];
     struct output outputs[KINDS];
     int count = 0;
@@ -120,7 +121,9 @@ static int write_hdf5(const struct run_files *files, const struct record *record
     char path[FOLDER_PATH];
     if (folder_output(files->folder, name, 1, path, message) != 0)
         return -1;
-    return (kind == SPHERES ? spheres_hdf5_write : run_hdf5_write)(record, path, message);
+    return (kind == SPHERES    ? spheres_hdf5_write
+            : kind == CONTACTS ? contacts_hdf5_write
+                               : run_hdf5_write)(record, path, message);
 }
 
 static int write_text(const struct run_files *files, const struct record *record, int kind, const char *name,
@@ -161,17 +164,31 @@ int run_files_has_xdmf(const struct run_files *files, const struct record *recor
     return wants_xdmf(files, record->journal->frames.mark.count);
 }
 
+int run_files_contacts(const struct run_files *files, char path[FOLDER_PATH], struct message *message)
+{
+    char name[264];
+    name_of(files, CONTACTS, name);
+    return folder_output(files->folder, name, 0, path, message);
+}
+
+double run_files_touches(const struct run_files *files, const struct record *record, int64_t frames)
+{
+    const double of_each = 3.0;
+    return files->contacts ? of_each * (double)model_spheres(record->model)->count * (double)frames : 0.0;
+}
+
 double run_files_bytes(const struct run_files *files, const struct record *record, int64_t rows, int64_t frames)
 {
     return run_hdf5_bytes(record, rows, frames) + run_csv_bytes(record, rows) +
            (wants_xdmf(files, frames) ? run_xdmf_bytes(record, frames) : 0.0) +
            (files->dump ? run_dump_bytes(record, frames) : 0.0) +
-           (files->spheres ? spheres_hdf5_bytes(record, frames) : 0.0);
+           (files->spheres ? spheres_hdf5_bytes(record, frames) : 0.0) +
+           (files->contacts ? contacts_hdf5_bytes((double)frames, run_files_touches(files, record, frames)) : 0.0);
 }
 
 int run_files_are_there(const struct run_files *files, int64_t frames)
 {
-    const int wanted[KINDS] = {1, 1, wants_xdmf(files, frames), files->dump, files->spheres};
+    const int wanted[KINDS] = {1, 1, wants_xdmf(files, frames), files->dump, files->spheres, files->contacts};
     char name[264], path[FOLDER_PATH];
     struct message ignored;
     for (int kind = 0; kind < KINDS; ++kind) {
@@ -184,7 +201,7 @@ int run_files_are_there(const struct run_files *files, int64_t frames)
 
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message)
 {
-    const int wanted[KINDS] = {1, 1, run_files_has_xdmf(files, record), files->dump, files->spheres};
+    const int wanted[KINDS] = {1, 1, run_files_has_xdmf(files, record), files->dump, files->spheres, files->contacts};
     char name[KINDS][264];
     const char *names[KINDS];
     int failed = 0, count = 0;

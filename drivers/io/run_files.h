@@ -6,13 +6,14 @@
 #include "overwrite.h"
 #include "record.h"
 
-/** OUT.h5 and what stands beside it: OUT.csv, OUT.xdmf, OUT.dump, and of clumps OUT-spheres.h5. */
+/** OUT.h5 and what stands beside it: OUT.csv, OUT.xdmf, OUT.dump, of clumps OUT-spheres.h5, and OUT-contacts.h5. */
 struct run_files {
     char folder[FOLDER_PATH];
     char stem[256]; /* OUT */
     char hdf5[264]; /* OUT.h5, or with the other ending that was asked for */
     int dump;       /* whether OUT.dump is wanted */
     int spheres;    /* whether there are clumps, and so OUT-spheres.h5 */
+    int contacts;   /* whether OUT-contacts.h5 is wanted */
     int xdmf;       /* whether OUT.xdmf is wanted of however many frames */
     int force;      /* replace files that are not ours */
     char run[264];  /* OUT.run, where what is done is kept */
@@ -28,8 +29,14 @@ int run_files_name(struct run_files *files, const char *output, int dump, struct
  *  itself in OUT.h5 where bodies are few. */
 enum { RUN_XDMF_FRAMES = 2000 };
 
+/** The path of OUT-contacts.h5. Returns 0, or -1 with one line in *message. */
+int run_files_contacts(const struct run_files *files, char path[FOLDER_PATH], struct message *message);
+
 /** Whether OUT.xdmf is written. */
 int run_files_has_xdmf(const struct run_files *files, const struct record *record);
+/** How many touches so many frames may have, if they are recorded: three of each sphere, as spheres in a dense packing
+ *  touch six others. */
+double run_files_touches(const struct run_files *files, const struct record *record, int64_t frames);
 /** About how many bytes the files of so many rows and frames take, to a fifth where there are 100 MB. */
 double run_files_bytes(const struct run_files *files, const struct record *record, int64_t rows, int64_t frames);
 /** Whether all that would be written of so many frames is there. */

@@ -34,6 +34,11 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
  *  vti_version. */
 int spheres_hdf5_write(const struct record *record, const char *path, struct message *message);
 
+/** out-contacts.h5: what touches as lines of a /VTKHDF of its own, whose number is another one in each frame. Cell
+ *  data: i, j, of clumps sphere_i, sphere_j, force, normal_force, tangential_force, overlap. Root attributes:
+ *  contacts_of (the scene), vti_version. */
+int contacts_hdf5_write(const struct record *record, const char *path, struct message *message);
+
 /** out.csv: a row per recorded time, 17 digits. */
 int run_csv_write(const struct record *record, FILE *file, struct message *message);
 
@@ -54,6 +59,7 @@ int run_xdmf_write(const struct record *record, const char *name, const char *sp
 double run_hdf5_bytes(const struct record *record, int64_t rows, int64_t frames);
 double vtkhdf_bytes(const struct record *record, int64_t frames);
 double spheres_hdf5_bytes(const struct record *record, int64_t frames);
+double contacts_hdf5_bytes(double frames, double touches);
 double run_csv_bytes(const struct record *record, int64_t rows);
 double run_xdmf_bytes(const struct record *record, int64_t frames);
 double run_dump_bytes(const struct record *record, int64_t frames);

@@ -17,11 +17,18 @@ struct journal_mark journal_mark_start(int64_t doubles)
     return mark;
 }
 
-double journal_bytes(const struct journal *journal, int64_t rows, int64_t frames)
+struct journal_marks journal_marks(const struct journal *journal)
+{
+    const struct journal_marks marks = {journal->rows.mark, journal->frames.mark, journal->touches.mark};
+    return marks;
+}
+
+double journal_bytes(const struct journal *journal, double rows, double frames, double touches)
 {
     const double share = 1.02; /* what the file adds to a double */
     return 8.0 * share *
-           ((double)journal->rows.mark.doubles * (double)rows + (double)journal->frames.mark.doubles * (double)frames);
+           ((double)journal->rows.mark.doubles * rows + (double)journal->frames.mark.doubles * frames +
+            (double)journal->touches.mark.doubles * touches);
 }
 
 static int put_piece(struct journal *journal, const struct journal_file *file, int64_t doubles, struct message *message)
@@ -50,8 +57,8 @@ int journal_add(struct journal *journal, struct journal_file *file, const double
 
 int journal_flush(struct journal *journal, struct message *message)
 {
-    const struct journal_file *const files[] = {&journal->rows, &journal->frames};
-    for (int k = 0; k < 2; ++k) {
+    const struct journal_file *const files[] = {&journal->rows, &journal->frames, &journal->touches};
+    for (int k = 0; k < 3; ++k) {
         const int64_t doubles = files[k]->mark.doubles * files[k]->mark.count % PIECE;
         if (doubles != 0 && put_piece(journal, files[k], doubles, message) != 0)
             return -1;
@@ -101,6 +108,8 @@ static int start_stream(struct journal *journal, struct journal_file *file, enum
     file->table = table;
     file->mark = mark;
     file->loaded = -1;
+    if (mark.doubles == 0)
+        return 0;
     file->piece = malloc(sizeof(double) * PIECE);
     if (file->piece == NULL)
         return message_set(message, "out of memory; use fewer bodies");
@@ -111,12 +120,13 @@ static int start_stream(struct journal *journal, struct journal_file *file, enum
     return 0;
 }
 
-int journal_start(struct journal *journal, struct journal_mark rows, struct journal_mark frames,
-                  struct message *message)
+int journal_start(struct journal *journal, const struct journal_marks *marks, struct message *message)
 {
-    return start_stream(journal, &journal->rows, KEEP_ROWS, rows, message) != 0
-               ? -1
-               : start_stream(journal, &journal->frames, KEEP_FRAMES, frames, message);
+    if (start_stream(journal, &journal->rows, KEEP_ROWS, marks->rows, message) != 0 ||
+        start_stream(journal, &journal->frames, KEEP_FRAMES, marks->frames, message) != 0)
+        return -1;
+    /* a run has no results as a study does, and a table of its own would be a page in runs without touches */
+    return start_stream(journal, &journal->touches, KEEP_RESULTS, marks->touches, message);
 }
 
 void journal_end(struct journal *journal, int removes)
@@ -127,5 +137,6 @@ void journal_end(struct journal *journal, int removes)
         keep_close(&journal->keep);
     free(journal->rows.piece);
     free(journal->frames.piece);
-    journal->rows.piece = journal->frames.piece = NULL;
+    free(journal->touches.piece);
+    journal->rows.piece = journal->frames.piece = journal->touches.piece = NULL;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The journal of a run: rows of its table, frames of its trajectory and a checkpoint (checkpoint.h), in OUT.run
- * (keep.h). The output is made from it when the run ends, so that a run that dies leaves all that it had recorded at
- * its last checkpoint, and the output of an earlier run is not touched before there is a new one. Rows and frames are
- * two streams of numbers, cut into pieces of one size. */
+ * The journal of a run: rows of its table, frames of its trajectory, what touches in these, if that is asked for, and
+ * a checkpoint (checkpoint.h), in OUT.run (keep.h). The output is made from it when the run ends, so that a run that
+ * dies leaves all that it had recorded at its last checkpoint, and the output of an earlier run is not touched before
+ * there is a new one. Rows, frames and touches are streams of numbers, cut into pieces of one size. */
 #ifndef VTI_JOURNAL_H
 #define VTI_JOURNAL_H
 
@@ -25,19 +25,25 @@ struct journal_file {
 
 struct journal {
     struct keep keep;
-    struct journal_file rows, frames;
+    struct journal_file rows, frames, touches; /* of touches that nobody asks for mark.doubles is 0 */
 };
 
 /** Of a stream without records. */
 struct journal_mark journal_mark_start(int64_t doubles);
 
-/** Starts the two streams of an open journal where these marks say, whose records it must hold. Returns 0, or -1 with
- *  one line in *message. */
-int journal_start(struct journal *journal, struct journal_mark rows, struct journal_mark frames,
-                  struct message *message);
+/** Where all streams stand. */
+struct journal_marks {
+    struct journal_mark rows, frames, touches;
+};
 
-/** About how many bytes it takes with so many rows and frames. */
-double journal_bytes(const struct journal *journal, int64_t rows, int64_t frames);
+struct journal_marks journal_marks(const struct journal *journal);
+
+/** Starts the streams of an open journal where these marks say, whose records it must hold. Returns 0, or -1 with one
+ *  line in *message. */
+int journal_start(struct journal *journal, const struct journal_marks *marks, struct message *message);
+
+/** About how many bytes it takes with so many rows, frames and touches. */
+double journal_bytes(const struct journal *journal, double rows, double frames, double touches);
 
 /** Appends one record. Returns 0, or -1 with one line in *message. */
 int journal_add(struct journal *journal, struct journal_file *file, const double *record, struct message *message);

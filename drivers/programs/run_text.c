@@ -222,10 +222,11 @@ void run_text_end(const struct run *run, FILE *file)
             "evaluations\n",
             (long long)tally.accepted, run->t / (double)(tally.accepted > 0 ? tally.accepted : 1),
             (long long)tally.rejected, (long long)tally.cut, (long long)tally.evals);
-    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv%s%s%s%s\n",
+    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv%s%s%s%s%s\n",
             (long long)run->journal.rows.mark.count, (long long)run->journal.frames.mark.count, run->seconds,
             run->output, xdmf ? ", .xdmf" : "", run->files.dump ? ", .dump" : "",
-            run->files.spheres ? ", -spheres.h5" : "", run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
+            run->files.spheres ? ", -spheres.h5" : "", run->files.contacts ? ", -contacts.h5" : "",
+            run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
     if (!xdmf)
         fprintf(file,
                 "no .xdmf of so many frames, 1 to 8 kB for each: ParaView reads %s itself, and --xdmf writes it\n",

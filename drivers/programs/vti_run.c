@@ -19,7 +19,8 @@ static const struct option_row rows[] = {
     OPTION_PARAGRAPH(
         "Runs a scene and writes OUT.h5 (trajectory as VTKHDF, energies and momenta over time), OUT.csv\n"
         "(the latter), OUT.xdmf (index of the trajectory) and OUT.dump (LAMMPS text dump, for OVITO); of bodies\n"
-        "that are clumps also OUT-spheres.h5 (their spheres as VTKHDF).\n"),
+        "that are clumps also OUT-spheres.h5 (their spheres as VTKHDF), and with --contacts OUT-contacts.h5 (what\n"
+        "touches, with its forces).\n"),
     {"-o", "OUT.h5", OPTION_TEXT, &request.output, OPTION_ANY, "where to write (default: the scene's name)"},
     {"--stepper", "NAME", OPTION_KEY, &sets, OPTION_ANY, "integrator, one of --list steppers (default: the scene's)"},
     {"--h", "H", OPTION_KEY, &sets, OPTION_ANY,
@@ -44,6 +45,9 @@ static const struct option_row rows[] = {
      "one or more of each body in OUT.h5 and OUT.xdmf too, in every frame; force and moment: of all effects but drag "
      "and dashpots, which are flows of velocities; lost: the energy that it has lost so far, in all and by the columns "
      "of OUT.csv"},
+    {"--contacts", NULL, OPTION_ON, &request.contacts, OPTION_ANY,
+     "OUT-contacts.h5 too: in every frame each two spheres that touch, or sphere and wall, as a line with the force on "
+     "the first (elastic and of friction, without dashpots) and the overlap: the force network, for ParaView"},
     {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
      "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
      "srkn6, srkn11, srkn14 and an4 to an10-fine"},

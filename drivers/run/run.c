@@ -90,6 +90,9 @@ static int open_scene(struct run *run, struct message *message)
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
     if (record_fields_check(r->fields, &run->model, message) != 0)
         return -1;
+    if (r->contacts && !touch_forces_may(&run->model))
+        return message_set(message, "%s: --contacts: nothing touches; give contact or wall, or leave --contacts out",
+                           run->scene.name);
     if (run->steps < 1)
         return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
@@ -118,6 +121,8 @@ static int identify(struct run *run, struct message *message)
         record_fields_say(run->request->fields, text);
         fputc('\n', text);
     }
+    if (run->request->contacts)
+        fputs("touches of frames: --contacts\n", text);
     fputs("columns:", text);
     for (int c = 0; c < columns->count; ++c)
         fprintf(text, " %s", columns->name[c]);
@@ -149,6 +154,7 @@ static int open_files(struct run *run, struct message *message)
     if (run_files_name(&run->files, asked != NULL ? asked : run->output, run->request->dump, message) != 0)
         return -1;
     run->files.spheres = model_has_clumps(&run->model);
+    run->files.contacts = run->request->contacts;
     run->files.force = run->request->force;
     run->files.xdmf = run->request->xdmf;
     run->files.inputs = run->inputs;
@@ -235,8 +241,10 @@ static int has_files(const struct run *run)
 static int go_on(struct run *run, const char *path, struct message *message)
 {
     int64_t count;
+    char contacts[FOLDER_PATH];
     const double *more = travel_state(&run->travel, &count);
-    if (run_restart_fill(path, &run->record, &run->checkpoint, message) != 0)
+    if (run_files_contacts(&run->files, contacts, message) != 0 ||
+        run_restart_fill(path, contacts, &run->record, &run->checkpoint, message) != 0)
         return -1;
     return checkpoint_write(&run->journal, &run->checkpoint, &run->model.bodies, &run->verdict, more, count, message);
 }
@@ -246,9 +254,11 @@ static int open_checkpoint(struct run *run, struct message *message)
 {
     char path[FOLDER_PATH];
     struct checkpoint *c = &run->checkpoint;
-    const struct journal_mark no_rows = journal_mark_start(run->record.columns.count),
-                              no_frames = journal_mark_start(run->record.frames.doubles);
+    const struct journal_marks none = {journal_mark_start(run->record.columns.count),
+                                       journal_mark_start(run->record.frames.doubles),
+                                       journal_mark_start(run->request->contacts ? TOUCH_DOUBLES : 0)};
     int found = 0;
+    c->touches = none.touches;
     if (run->journal.keep.holds)
         found = take_checkpoint(run, message);
     else if (run->request->resume)
@@ -268,11 +278,11 @@ static int open_checkpoint(struct run *run, struct message *message)
     if (choose_every("--record", run->request->record_every, c->record_every,
                      interval_choose(run->scene.h, run->steps, about_rows(run)), &c->record_every, message) != 0)
         return -1;
+    const struct journal_marks there = {c->rows, c->frames, c->touches};
     const int nobody_says = run->request->frames_every == 0 && c->frames_every == 0;
     if (choose_every("--frames", run->request->frames_every, c->frames_every,
                      nobody_says ? sizes_frames(run, &run->fit) : 0, &c->frames_every, message) != 0 ||
-        journal_start(&run->journal, run->restored || !found ? no_rows : c->rows,
-                      run->restored || !found ? no_frames : c->frames, message) != 0)
+        journal_start(&run->journal, run->restored || !found ? &none : &there, message) != 0)
         return -1;
     return run->restored && !run->done ? go_on(run, path, message) : 0;
 }

@@ -26,6 +26,7 @@ struct run_request {
     int xdmf;        /* write the XDMF index of however many frames */
     int force;       /* replace files that are not ours */
     int fields;      /* FIELD_ (record.h) */
+    int contacts;    /* record what touches in each frame (touch_forces.h) */
     int errors;      /* record what single steps err by (step_errors.h) */
     int renumber;    /* work on the bodies of the table in another order (renumber.h) */
 };
@@ -97,7 +98,7 @@ void run_close(struct run *run);
 /* ---- from the end of a complete run ------------------------------------------------------------------------------ */
 
 /* A complete run goes on from its HDF5 file: /restart there holds its identity and the checkpoint at its end, byte for
- * byte, and rows and frames are those of /energies and /VTKHDF. */
+ * byte, and rows and frames are those of /energies and /VTKHDF; what touches in these is in OUT-contacts.h5. */
 
 struct run_restart {
     char *identity;       /* text (identity.h) */
@@ -111,9 +112,10 @@ struct run_restart {
 int run_restart_find(const char *path, struct run_restart *restart, struct message *message);
 void run_restart_free(struct run_restart *restart);
 
-/** Adds the records that *checkpoint counts to the open, empty journal of *record. Returns 0, or -1 with one line in
- *  *message: they are not those of the checkpoint. */
-int run_restart_fill(const char *path, const struct record *record, const struct checkpoint *checkpoint,
-                     struct message *message);
+/** Adds the records that *checkpoint counts to the open, empty journal of *record, from the file at path and, if they
+ *  are recorded, touches from that at contacts. Returns 0, or -1 with one line in *message: they are not those of the
+ *  checkpoint. */
+int run_restart_fill(const char *path, const char *contacts, const struct record *record,
+                     const struct checkpoint *checkpoint, struct message *message);
 
 #endif

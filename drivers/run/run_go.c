@@ -10,6 +10,7 @@
 #include "signals.h"
 #include "state.h"
 #include "step_errors.h"
+#include "touch_forces.h"
 
 static int stop(struct run *run, enum run_end end)
 {
@@ -155,6 +156,28 @@ static int with_loads(struct run *run, const vti_bodies *bodies, struct fork *fo
     return status == VTI_OK ? 0 : message_set(run->message, "%s: %s", run->scene.name, model_text(&run->model, status));
 }
 
+/** What touches in the frame that comes next, while bodies and springs are as they are. */
+static int add_touches(struct run *run, const vti_bodies *bodies)
+{
+    struct touch_list list = {0, 0, NULL};
+    struct journal *journal = &run->journal;
+    double row[TOUCH_DOUBLES];
+    if (!run->request->contacts)
+        return 0;
+    const int status = model_find_pairs(&run->model, bodies);
+    if (status != VTI_OK)
+        return message_set(run->message, "%s: %s", run->scene.name, model_text(&run->model, status));
+    int failed = touch_forces_find(&run->model, bodies, &list);
+    if (failed != 0)
+        scene_no_memory(&run->scene, run->message);
+    for (int64_t k = 0; k < list.count && failed == 0; ++k) {
+        record_touch(journal->frames.mark.count, &list.touch[k], row);
+        failed = journal_add(journal, &journal->touches, row, run->message);
+    }
+    touch_forces_free(&list);
+    return failed;
+}
+
 static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
@@ -166,6 +189,8 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
     int failed = with_loads(run, bodies, &fork);
     if (frame == NULL)
         failed = scene_no_memory(&run->scene, run->message);
+    if (failed == 0)
+        failed = add_touches(run, &fork.bodies);
     if (failed == 0) {
         frame_take(&run->record.frames, step, t, &fork.bodies, frame);
         failed = journal_add(&run->journal, &run->journal.frames, frame, run->message);

@@ -158,33 +158,117 @@ static int fill_frames(hid_t file, const struct record *record, int64_t frames, 
     return failed ? -1 : 0;
 }
 
+/* ---- touches ----------------------------------------------------------------------------------------------------- */
+
+/** Touches from `first` on of one frame, rows of the record. */
+static int read_touches(hid_t file, const struct record *record, int64_t frame, int64_t first, int64_t count,
+                        double *rows, double *values)
+{
+    const int spheres = record->model->clumps.list.count > 0;
+    const struct {
+        const char *name;
+        int place, lines, components; /* lines: rows of the dataset to a touch */
+    } sets[] = {{"Points", TOUCH_FROM, 2, 3},
+                {spheres ? "CellData/sphere_i" : "CellData/i", TOUCH_I, 1, 1},
+                {spheres ? "CellData/sphere_j" : "CellData/j", TOUCH_J, 1, 1},
+                {"CellData/force", TOUCH_FORCE, 1, 3},
+                {"CellData/normal_force", TOUCH_NORMAL, 1, 1},
+                {"CellData/tangential_force", TOUCH_TANGENTIAL, 1, 1},
+                {"CellData/overlap", TOUCH_OVERLAP, 1, 1}};
+    int failed = 0;
+    for (size_t q = 0; q < sizeof sets / sizeof sets[0] && !failed; ++q) {
+        const int width = sets[q].lines * sets[q].components;
+        char name[64];
+        snprintf(name, sizeof name, "VTKHDF/%s", sets[q].name);
+        failed = read_rows(file, name, sets[q].lines * first, sets[q].lines * count, sets[q].components, values);
+        for (int64_t k = 0; k < count * width && !failed; ++k)
+            rows[k / width * TOUCH_DOUBLES + sets[q].place + k % width] = values[k];
+    }
+    for (int64_t k = 0; k < count; ++k)
+        rows[k * TOUCH_DOUBLES + TOUCH_FRAME] = (double)frame;
+    return failed;
+}
+
+/** Those of the frames that the journal has already. */
+static int fill_touches(hid_t file, const struct record *record, const struct checkpoint *checkpoint,
+                        struct message *message)
+{
+    enum { PLACES = 6 };
+    struct journal_file *touches = &record->journal->touches;
+    int failed = 0;
+    int64_t first = 0;
+    for (int64_t frame = 0; frame < record->journal->frames.mark.count && !failed; ++frame) {
+        double lines = 0.0;
+        failed = read_rows(file, "VTKHDF/Lines/NumberOfCells", frame, 1, 1, &lines);
+        if (!(lines >= 0.0 && lines <= (double)(checkpoint->touches.count - first)))
+            return -1;
+        const int64_t count = (int64_t)lines;
+        double *rows = malloc(sizeof *rows * (size_t)((TOUCH_DOUBLES + PLACES) * count + 1));
+        if (rows == NULL)
+            failed = scene_no_memory(record->model->scene, message);
+        if (!failed && count > 0)
+            failed = read_touches(file, record, frame, first, count, rows, rows + TOUCH_DOUBLES * count);
+        for (int64_t k = 0; k < count && !failed; ++k)
+            failed = journal_add(record->journal, touches, rows + TOUCH_DOUBLES * k, message);
+        free(rows);
+        first += count;
+    }
+    return failed;
+}
+
 static int is_mark(const struct journal_mark *have, const struct journal_mark *want)
 {
     return have->doubles == want->doubles && have->count == want->count && have->digest == want->digest;
 }
 
-int run_restart_fill(const char *path, const struct record *record, const struct checkpoint *checkpoint,
-                     struct message *message)
+/** What of the file at path the journal takes. Returns 1, or 0 if the file has it not, or with one line in *message. */
+static int fill_from(const char *path,
+                     int (*fill)(hid_t file, const struct record *record, const struct checkpoint *checkpoint,
+                                 struct message *message),
+                     const struct record *record, const struct checkpoint *checkpoint, struct message *message)
 {
     int filled = 0;
-    message->text[0] = '\0';
     H5E_BEGIN_TRY
     {
         const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        filled = file >= 0 && fill_rows(file, record, checkpoint->rows.count, message) == 0 &&
-                 fill_frames(file, record, checkpoint->frames.count, message) == 0;
+        filled = file >= 0 && fill(file, record, checkpoint, message) == 0;
         if (file >= 0)
             H5Fclose(file);
     }
     H5E_END_TRY;
-    if (filled && is_mark(&record->journal->rows.mark, &checkpoint->rows) &&
-        is_mark(&record->journal->frames.mark, &checkpoint->frames))
-        return 0;
+    return filled;
+}
+
+static int fill_records(hid_t file, const struct record *record, const struct checkpoint *checkpoint,
+                        struct message *message)
+{
+    return fill_rows(file, record, checkpoint->rows.count, message) != 0
+               ? -1
+               : fill_frames(file, record, checkpoint->frames.count, message);
+}
+
+/** One line in *message, which may have one that says more. */
+static int refuse(const char *path, const char *why, struct message *message)
+{
     if (message->text[0] != '\0')
         return -1;
     return message_set(
         message,
-        "%.600s: its rows or frames are not those that the run had recorded; start anew without --resume, "
-        "or choose another place with -o",
-        path);
+        "%.600s: %s are not those that the run had recorded; start anew without --resume, or choose another "
+        "place with -o",
+        path, why);
+}
+
+int run_restart_fill(const char *path, const char *contacts, const struct record *record,
+                     const struct checkpoint *checkpoint, struct message *message)
+{
+    const struct journal *journal = record->journal;
+    message->text[0] = '\0';
+    if (!fill_from(path, fill_records, record, checkpoint, message) ||
+        !is_mark(&journal->rows.mark, &checkpoint->rows) || !is_mark(&journal->frames.mark, &checkpoint->frames))
+        return refuse(path, "its rows or frames", message);
+    if (checkpoint->touches.doubles == 0 || (fill_from(contacts, fill_touches, record, checkpoint, message) &&
+                                             is_mark(&journal->touches.mark, &checkpoint->touches)))
+        return 0;
+    return refuse(contacts, "is not there, or its contacts", message);
 }

@@ -39,11 +39,14 @@ struct run_sizes sizes_of(struct run *run)
     const struct journal *journal = &run->journal;
     const int64_t rows = interval_records(run->steps, run->checkpoint.record_every),
                   frames = interval_records(run->steps, run->checkpoint.frames_every);
-    const double checkpoint = one_checkpoint(run);
+    const double checkpoint = one_checkpoint(run), touches = run_files_touches(&run->files, &run->record, frames);
+    const struct journal_marks there = journal_marks(journal);
     struct run_sizes sizes = {run_files_bytes(&run->files, &run->record, rows, frames) + checkpoint,
-                              journal_bytes(journal, rows, frames) + checkpoint, 0.0, folder_space(run->files.folder)};
+                              journal_bytes(journal, (double)rows, (double)frames, touches) + checkpoint, 0.0,
+                              folder_space(run->files.folder)};
     sizes.needed =
-        sizes.files + sizes.journal - journal_bytes(journal, journal->rows.mark.count, journal->frames.mark.count);
+        sizes.files + sizes.journal -
+        journal_bytes(journal, (double)there.rows.count, (double)there.frames.count, (double)there.touches.count);
     return sizes;
 }
 

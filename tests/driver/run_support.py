@@ -12,13 +12,14 @@ FILES = (".h5", ".csv", ".xdmf", ".dump")
 
 
 def contents(stem):
-    """The bytes of the four files, None for one that is not there."""
+    """The bytes of the four files, None for one that is not there, and of the contacts, if they are."""
     def content(path):
         if not os.path.exists(path):
             return None
         with open(path, "rb") as file:
             return file.read()
-    return {ending: content(stem + ending) for ending in FILES}
+    contacts = ("-contacts.h5",) if os.path.exists(stem + "-contacts.h5") else ()
+    return {ending: content(stem + ending) for ending in (*FILES, *contacts)}
 
 
 def read_csv(path):
@@ -149,7 +150,7 @@ def read_vtkhdf(path):
             assert steps["NumberOfParts"][k] == 1
             n = root["NumberOfPoints"][part]
             frame = {"t": steps["Values"][k], "Points": root["Points"][first:first + n]}
-            for name in root["PointData"]:
+            for name in root.get("PointData", {}):
                 offset = steps["PointDataOffsets"][name][k]
                 frame[name] = root["PointData"][name][offset:offset + n]
             for column, kind in enumerate(("Vertices", "Lines", "Polygons", "Strips")):
@@ -166,7 +167,7 @@ def read_vtkhdf(path):
                 offset = steps["CellDataOffsets"][name][k]
                 frame[name] = root["CellData"][name][offset:offset + cells]
                 assert len(frame[name]) == cells
-            assert all(len(frame[name]) == n for name in [*root["PointData"], "Points"])
+            assert all(len(frame[name]) == n for name in [*root.get("PointData", {}), "Points"])
             frames.append(frame)
     return frames
 

@@ -169,10 +169,10 @@ def outputs(base, u):
     """All that is written of the scenes in these units, and once of two that are shipped, where other momenta are
     conserved."""
     steps = ",".join(repr(u["s"] / n) for n in (64, 128, 256))
-    made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
+    made = [run(RUN, scene(base, u), "--fields", "force,moment", "--contacts", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
-            run(RUN, dissipating(base, u), "--fields", "lost", "-o", f"{base}/dissipating.h5"),
-            run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "--stepper", "srkn6", "--errors", "-o", f"{base}/ellipsoids.h5"),
+            run(RUN, dissipating(base, u), "--fields", "lost", "--contacts", "-o", f"{base}/dissipating.h5"),
+            run(RUN, shaped(base, u), "--contacts", "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "--stepper", "srkn6", "--errors", "-o", f"{base}/ellipsoids.h5"),
             run(RUN, pendulum(base, u), "--stepper", "srkn11", "--tolerance", "1e-6", "-o", f"{base}/tolerant.h5"),
             run(RUN, pendulum(base, u), "--stepper", "exact", "--set", "control=integrating", "-o", f"{base}/controlled.h5")]
     for name in SHIPPED if u is USUAL else ():
@@ -245,6 +245,10 @@ def written(base, u):
               for name, key in (("tolerant", "tolerance"), ("controlled", "control"))]
     attributes, datasets = hdf5_of(f"{base}/clumps-spheres.h5")
     found += [("`OUT-spheres.h5`", "attribute", attributes), ("`OUT-spheres.h5`", "dataset", datasets)]
+    for name in ("all", "dissipating", "clumps"):
+        attributes, datasets = hdf5_of(f"{base}/{name}-contacts.h5")
+        found += [("`OUT-contacts.h5`", "attribute", attributes), ("`OUT-contacts.h5`", "dataset", datasets)]
+    check(not os.path.exists(f"{base}/pendulum-contacts.h5"), "no file of contacts where nobody asks")
     check(not os.path.exists(f"{base}/all-spheres.h5"), "no file of spheres where there are no clumps")
     for file in ("cost.csv", "errors.csv"):
         found += [("`cost.csv` and `errors.csv`", "column", columns_of(f"{base}/cost/{file}"))]
@@ -282,7 +286,7 @@ def shapes(found):
             continue
         length = {name: len(next((v for n, v in content.items() if re.fullmatch(pattern, n)), ())) for name, pattern in (
             ("rows", "/energies/t"), ("frames", "/VTKHDF/Steps/Values"), ("bodies", "/VTKHDF/PointData/body"), ("planes", "/walls"),
-            ("cylinders", "/wall_cylinders"), ("spheres", "/clumps/body" if "/clumps/body" in content else "/VTKHDF/PointData/body"),
+            ("cylinders", "/wall_cylinders"), ("contacts", "/VTKHDF/CellData/overlap"), ("spheres", "/clumps/body" if "/clumps/body" in content else "/VTKHDF/PointData/body"),
             ("runs", "/runs/h"), ("fits", "/orders/order"), ("scenes", "/scenes/name"), ("steppers", "/steppers/name"),
             ("points", "/points/scene"), ("groups", "/ensemble/point"), ("group_fits", "/ensemble_orders/point"))}
         length["bonds"] = len(content.get("/VTKHDF/Lines/Offsets", (0,))) - 1

@@ -180,7 +180,8 @@ TEST(streams_of_records)
     static struct journal journal;
     struct message message = {""};
     assert_int_equal(open_as(&journal.keep, "h: 1\n", 0, &message), 0);
-    assert_int_equal(journal_start(&journal, journal_mark_start(DOUBLES), journal_mark_start(1), &message), 0);
+    const struct journal_marks marks = {journal_mark_start(DOUBLES), journal_mark_start(1), journal_mark_start(0)};
+    assert_int_equal(journal_start(&journal, &marks, &message), 0);
     for (int r = 0; r < RECORDS; ++r) {
         for (int k = 0; k < DOUBLES; ++k)
             record[k] = 1e6 * r + k;

@@ -207,6 +207,19 @@ def spheres(base):
           "... which go with them")
 
 
+def contacts(base):
+    """Likewise: OUT-contacts.h5 is one of the files of a run with --contacts, and goes with the next run without."""
+    touching = [f"{SCENES}/pile.yaml", "--t-end", "1/64"]
+    check(run(RUN, *touching, "-o", f"{base}/a-contacts.h5").returncode == 0, "a run that is called a-contacts")
+    refused("... is in the way", base, ["a-contacts.h5", "--force"], RUN, *touching, "--contacts", "-o", "a.h5")
+    before = contents(base)
+    check(run(RUN, *touching, "-o", f"{base}/a.h5").returncode == 0 and before.items() <= contents(base).items(), "... and stays there")
+    for more, there in (["--contacts"], True), (["--contacts"], True), ([], False):
+        result = run(RUN, *touching, *more, "-o", f"{base}/b.h5")
+        check(result.returncode == 0 and ("b-contacts.h5" in contents(base)) == ("-contacts.h5" in result.stdout) == there,
+              f"{' '.join(more) or 'without'}: the file of contacts is {'there' if there else 'taken away'}")
+
+
 def links(base):
     """An output that is a link stays one, and the file that it leads to is written; not so the name that is written
     meanwhile."""
@@ -319,7 +332,7 @@ def rights(base):
               f"into a folder that one may write to and not read: {result.stderr.strip()}")
 
 
-for topic in (own_inputs, foreign, pictures, meanwhile, spheres, links, planted, protected, rights):
+for topic in (own_inputs, foreign, pictures, meanwhile, spheres, contacts, links, planted, protected, rights):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()

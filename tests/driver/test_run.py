@@ -339,6 +339,110 @@ def loads(base):
     check(far < 1e-6, f"a stepper that ends with a drift has the forces where the bodies are: {far:.1e} off one that ends with a kick")
 
 
+# Bodies of two spheres slide into each other, along a floor that comes up and in a cylinder.
+ROLLING = """name: rolling
+bodies:
+  lattice: {counts: [3, 2, 2], spacing: 1.5, corner: [-1.5, -0.75, 0.5]}
+  mass: 1
+  clumps: {spheres: [[0, 0, 0, 1], [0.5, 0.25, 0, 0.75]]}
+  random: {seed: 5, v: 2, omega: 2}
+contact: {stiffness: 2000}
+wall: {stiffnesses: [2000, 3000], planes: [[0, 0, 1, -0.125]], cylinders: [[0, 0, 1, 0, 0, 0, 2.5]], velocities: [[0.5, 0, 0.25], [0, 0, 0]]}
+friction: {sliding: 0.5, poisson: 0.3}
+dashpot: {restitution: 0.5}
+gravity: [0, 0, -9.81]
+h: 1/1024
+t_end: 1/2
+"""
+
+
+def network(path):
+    """Frames of bodies, of spheres and of what touches."""
+    stem = path.replace(".yaml", "")
+    done = run(RUN, path, "--frames", "8", "--fields", "force", "--contacts", "-o", stem + ".h5")
+    check(done.returncode == 0 and "-contacts.h5" in done.stdout, f"{os.path.basename(path)} --contacts runs {done.stderr}")
+    frames = read_vtkhdf(stem + ".h5")
+    spheres = read_vtkhdf(stem + "-spheres.h5") if os.path.exists(stem + "-spheres.h5") else frames
+    return frames, spheres, read_vtkhdf(stem + "-contacts.h5")
+
+
+def sums_of_contacts(name, frames, contacts):
+    """Forces of the contacts and the weight are all that --fields force has."""
+    worst = 0.0
+    for frame, touching in zip(frames, contacts):
+        total, inside = numpy.zeros_like(frame["force"]) + [0, 0, -9.81], touching["j"] >= 0
+        numpy.add.at(total, touching["i"], touching["force"])
+        numpy.add.at(total, touching["j"][inside], -touching["force"][inside])
+        worst = max(worst, abs(total - frame["force"]).max() / abs(touching["force"]).max(initial=9.81))
+    check(len(contacts) == len(frames) > 10 and worst < 1e-14, f"{name}: forces add up to those of the bodies, to {worst:.1e}")
+
+
+def places_of_contacts(name, spheres, contacts, gaps):
+    """Those spheres touch that overlap, of different bodies, or overlap a wall, and lines lead from one to the other."""
+    wrong, far, most = 0, 0.0, 0
+    owner = spheres[0]["body"]
+    for frame, touching in zip(spheres, contacts):
+        x, radius = frame["Points"], frame["diameter"] / 2
+        first = touching.get("sphere_i", touching["i"])
+        second = touching.get("sphere_j", touching["j"])
+        apart = numpy.sqrt(((x[:, None] - x[None]) ** 2).sum(axis=2)) - radius[:, None] - radius
+        apart[owner[:, None] == owner] = 1
+        wanted = [(i, j) for i, j in zip(*numpy.nonzero(apart < 0)) if i < j]
+        gap = gaps(frame["t"], x) - radius
+        wanted = sorted(wanted + [(i, -1 - w) for w, i in zip(*numpy.nonzero(gap < 0))])
+        wrong += wanted != list(zip(first.tolist(), second.tolist())) or touching["Lines"] != [[2 * k, 2 * k + 1] for k in range(len(first))]
+        inside = second >= 0
+        ends = touching["Points"].reshape(-1, 2, 3)
+        length = numpy.sqrt(((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1))
+        overlap = radius[first] + numpy.where(inside, radius[second], 0) - length
+        miss = [abs(ends[:, 0] - x[first]), abs(ends[inside, 1] - x[second[inside]]), abs(overlap - touching["overlap"])]
+        if not inside.all():
+            foot = gaps(frame["t"], ends[~inside, 1])
+            miss += [abs(foot[-1 - second[~inside], numpy.arange(len(foot[0]))])]
+        far, most = max([far, *(part.max(initial=0) for part in miss)]), max(most, len(first))
+    check(wrong == 0 and far < 1e-14 and most > 8, f"{name}: up to {most} lines between what overlaps, to {far:.1e}")
+
+
+def laws_of_contacts(name, contacts, lengths, stiffness, sliding):
+    """K/L (overlap/L)^{3/2} along the line; friction across it, of at most mu times that."""
+    worst, rubbing, most = 0.0, 0.0, 0.0
+    for touching in contacts:
+        ends = touching["Points"].reshape(-1, 2, 3)
+        n = ends[:, 0] - ends[:, 1]
+        n /= numpy.sqrt((n ** 2).sum(axis=1))[:, None]
+        length, k = lengths(touching), stiffness(touching)
+        normal = k / length * (touching["overlap"] / length) ** 1.5
+        across = touching["force"] - touching["normal_force"][:, None] * n
+        size = numpy.sqrt((across ** 2).sum(axis=1))
+        rubbing = max(rubbing, size.max(initial=0))
+        scale = 1 + normal
+        worst = max([worst, *(abs(part / scale).max(initial=0) for part in (
+            normal - touching["normal_force"], size - touching["tangential_force"], (across * n).sum(axis=1)))])
+        most = max(most, (size / normal).max(initial=0))
+    check(worst < 1e-12 and rubbing > 1, f"{name}: forces by the equations, to {worst:.1e}; friction of up to {rubbing:.3g}")
+    check(0.9 * sliding < most < sliding * (1 + 1e-9), f"... which is at most {most / sliding:.12f} of its limit")
+
+
+def contacts(base):
+    """The force network."""
+    for name, text in (("rubbing", RUBBING), ("rolling", ROLLING)):
+        with open(f"{base}/{name}.yaml", "w", encoding="utf-8") as file:
+            file.write(text)
+    frames, spheres, touching = network(f"{base}/rubbing.yaml")
+    sums_of_contacts("rubbing", frames, touching)
+    places_of_contacts("rubbing", spheres, touching, lambda t, x: numpy.array([x[:, 2] + 0.49 - 0.1 * t]))
+    laws_of_contacts("rubbing", touching, lambda frame: numpy.where(frame["j"] < 0, 0.5, 1.0), lambda frame: 2000, 0.5)
+    frames, spheres, touching = network(f"{base}/rolling.yaml")
+    sums_of_contacts("rolling", frames, touching)
+    places_of_contacts("rolling", spheres, touching, lambda t, x: numpy.array(
+        [x[:, 2] + 0.125 - 0.25 * t, 2.5 - numpy.hypot(x[:, 0], x[:, 1])]))
+    radius, owner = spheres[0]["diameter"] / 2, spheres[0]["body"]
+    check(all((frame[side] == numpy.where(frame["sphere_" + side] < 0, frame["sphere_" + side], owner[frame["sphere_" + side]])).all()
+              for frame in touching for side in "ij"), "bodies are those that have the spheres")
+    laws_of_contacts("rolling", touching, lambda frame: radius[frame["sphere_i"]] + numpy.where(
+        frame["j"] < 0, 0, radius[frame["sphere_j"]]), lambda frame: numpy.where(frame["j"] == -2, 3000, 2000), 0.5)
+
+
 MOVING = """name: moving
 bodies: {lattice: {counts: [3, 1, 2], spacing: 1}, mass: 1, diameter: 1}
 contact: {stiffness: 100}
@@ -498,5 +602,6 @@ with tempfile.TemporaryDirectory() as root:
     odd_name(root)
     notes(root)
     loads(root)
+    contacts(root)
     parted(root)
 conclude()

@@ -65,11 +65,18 @@ def arrays(path):
     return found
 
 
+def both(folder):
+    """What is in out.h5 and out-contacts.h5."""
+    contacts = arrays(f"{folder}/out-contacts.h5")
+    return {**arrays(f"{folder}/out.h5"), **{"contacts of " + name: values for name, values in contacts.items()}}
+
+
 def same_motion():
     """To rounding, and to the bit where nothing is summed."""
-    lost = ("--fields", "lost")
+    lost = ("--fields", "lost", "--contacts")
     check(go("plain", *lost).returncode == 0 and go("moved", "--renumber", *lost).returncode == 0, "runs with and without")
-    plain, moved = arrays("plain/out.h5"), arrays("moved/out.h5")
+    plain, moved = both("plain"), both("moved")
+    check(len(plain["contacts of VTKHDF/CellData/i"]) > 100, "spheres touch")
     check(plain.keys() == moved.keys() and any("Points" in name for name in plain), "the same numbers are in the files")
     for name, one in plain.items():
         other = moved[name]
@@ -78,7 +85,7 @@ def same_motion():
         else:
             scale = max(1.0, float(np.max(np.abs(one), initial=0.0)))
             check(one.shape == other.shape and np.allclose(one, other, rtol=0, atol=1e-9 * scale), f"{name}: to rounding")
-    points = next(name for name in plain if name.endswith("Points"))
+    points = "VTKHDF/Points"
     bodies = COUNTS[0] * COUNTS[1] * COUNTS[2]
     check(np.array_equal(plain[points][:bodies], moved[points][:bodies]), "places at t = 0 to the bit, in the table's order")
     check(any(not np.array_equal(one, moved[name]) for name, one in plain.items()), "... and later in other bits")
@@ -105,12 +112,13 @@ def order_of_dashpots():
 
 def same_bytes():
     one = contents("moved")
-    go("three", "--renumber", "--threads", "3", "--fields", "lost")
+    go("three", "--renumber", "--threads", "3", "--fields", "lost", "--contacts")
     check(contents("three") == one, "the same bytes on 3 threads")
-    go("on", "--renumber", "--t-end", "0.25")
-    check(one_line(go("on", "--resume"), "on/out.h5", "renumbered"), "goes on with --renumber only")
-    go("on", "--renumber", "--resume")
+    go("on", "--renumber", "--t-end", "0.25", "--contacts")
+    check(one_line(go("on", "--contacts", "--resume"), "on/out.h5", "renumbered"), "goes on with --renumber only")
+    go("on", "--renumber", "--contacts", "--resume")
     check(contents("on")["out.csv"] == go_rows("half", "0.5"), "... with the same bytes")
+    check(contents("on")["out-contacts.h5"] == one["out-contacts.h5"], "... of contacts too")
 
 
 def go_rows(folder, end):

@@ -301,6 +301,34 @@ def fields(base):
           contents(f"{base}/whole/out")[".csv"] == contents(f"{base}/without/out")[".csv"], "it adds force and changes nothing")
 
 
+def contacts(base):
+    """The same of what touches, which a complete run goes on from too, from a file of its own."""
+    start = [scene("heap"), "--frames", "16", "--record", "8"]
+    ends = [[*start, "--t-end", end, "-o", f"{base}/{name}/out.h5"] for end, name in (("1/4", "whole"), ("1/8", "two"), ("1/4", "two"))]
+    for arguments, more in zip(ends, ([], [], ["--resume"])):
+        result = run(RUN, *arguments, "--contacts", *more)
+        check(result.returncode == 0, f"--contacts {' '.join(more)} {result.stderr}")
+    whole = contents(f"{base}/whole/out")
+    check("goes on from step 256" in result.stdout and len(whole) == 5 and contents(f"{base}/two/out") == whole,
+          "--contacts: prolonged to the same bytes")
+    run(RUN, *start, "--t-end", "1/4", "-o", f"{base}/without/out.h5")
+    plain = contents(f"{base}/without/out")
+    check(len(plain) == 4 and all(plain[ending] == whole[ending] for ending in plain if ending != ".h5") and
+          same(read_vtkhdf(f"{base}/whole/out.h5"), read_vtkhdf(f"{base}/without/out.h5"), ["Points", "velocity", "omega", "alpha"]),
+          "they change nothing")
+    refused = run(RUN, *ends[1], "--resume")
+    check(one_line(refused, "--contacts", f"{base}/two/out.h5"), f"... and go on with --contacts only: {refused.stderr}")
+    later = [RUN, *start, "--t-end", "1/2", "-o", f"{base}/two/out.h5", "--contacts", "--resume"]
+    with h5py.File(f"{base}/two/out-contacts.h5", "r+") as file:
+        file["VTKHDF/CellData/force"][40, 1] += 1
+    refused = run(*later)
+    check(one_line(refused, "out-contacts.h5", "without --resume"), f"a force that is spoilt: {refused.stderr}")
+    os.remove(f"{base}/two/out-contacts.h5")
+    for arguments in (later, [RUN, *ends[2], "--contacts", "--resume"]):
+        refused = run(*arguments)
+        check(one_line(refused, "out-contacts.h5", "is not there", "without --resume"), f"no file of them: {refused.stderr}")
+
+
 def continued(base):
     """A run that is complete goes on from its end: as if it had been asked for the later end from the start, with the
     rows and frames that it has; three times over, from out.h5 alone."""
@@ -586,6 +614,7 @@ def refused(base):
          ["bodies.moments", "an4", "bodies.inertia"]),
         ("step control of spheres", [scene("slender"), "--stepper", "srkn11", "--tolerance", "1e-6"],
          ["bodies.moments", "step control", "bodies.inertia"]),
+        ("contacts where nothing touches", [scene("spin"), "--contacts"], ["spin: --contacts: nothing touches; give contact or wall"]),
         ("estimates of steps that go by turning", [scene("spin"), "--stepper", "srkn6", "--control", "naive", "--errors"],
          ["--errors", "srkn6-naive"]),
         ("steps that follow how fast nothing turns", [f"{base}/mass.yaml", "--stepper", "srkn6", "--control", "integrating"],
@@ -619,8 +648,9 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "chain", "--stepper", "yade-leapfrog", "--h", "1/2048", "--t-end", "20"),
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
+          lambda base: kills(base, "heap", "--t-end", "1/8", "--contacts"),
           signals, far_from_multiples, between_rows, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged,
-          fields, continued, refused_ends, completed, prolonged_and_killed, looked_at_once, unheard,
+          fields, contacts, continued, refused_ends, completed, prolonged_and_killed, looked_at_once, unheard,
           prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:

@@ -111,7 +111,7 @@ def files(scene, folder, threads, *options):
     return contents(folder) if done.returncode in (0, 3) else done.stderr
 
 
-LOST = ("--fields", "force,moment,lost")
+LOST = ("--fields", "force,moment,lost", "--contacts")
 
 
 def same_bytes(scene, base, *options):

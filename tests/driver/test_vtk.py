@@ -52,7 +52,9 @@ def read(path, ending, grid=0):
         data = reader.GetOutputDataObject(0)
         blocks = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())] if data.IsA("vtkMultiBlockDataSet") else [data]
         data = blocks[grid]
-        frame = {"t": t, "Points": vtk_to_numpy(data.GetPoints().GetData()).copy()}
+        frame = {"t": t}
+        if data.GetNumberOfPoints() > 0:
+            frame["Points"] = vtk_to_numpy(data.GetPoints().GetData()).copy()
         for k in range(data.GetPointData().GetNumberOfArrays()):
             array = data.GetPointData().GetArray(k)
             frame[array.GetName()] = vtk_to_numpy(array).copy()
@@ -60,7 +62,8 @@ def read(path, ending, grid=0):
             cells = block.GetCellData()
             for k in range(cells.GetNumberOfArrays()):
                 frame[cells.GetArrayName(k)] = vtk_to_numpy(cells.GetArray(k)).copy()
-                frame["in " + cells.GetArrayName(k)] = block.GetCell(0).GetClassName()
+                if block.GetNumberOfCells() > 0:
+                    frame["in " + cells.GetArrayName(k)] = block.GetCell(0).GetClassName()
         if ending == ".h5":
             ids = vtk_to_numpy(data.GetLines().GetConnectivityArray()) if data.GetNumberOfLines() else numpy.zeros(0, int)
             frame["Lines"] = ids.reshape(-1, 2).tolist()
@@ -141,6 +144,24 @@ def spheres():
         check(abs(glyph.GetOutput().GetBounds()[5] - high[2]) < 1e-6 * high[2], "glyphs reach as high as the spheres")
 
 
+def contacts():
+    """What touches, as lines whose number changes from frame to frame, of which some have none."""
+    with tempfile.TemporaryDirectory() as folder:
+        for scene, end, frames in (("heap", "1/8", "8"), ("torus", "1/4", "16"), ("clump-pile", "1/32", "8")):
+            done = run(RUN, f"{SCENES}/{scene}.yaml", "--t-end", end, "--frames", frames, "--contacts", "-o", f"{folder}/{scene}.h5")
+            check(done.returncode == 0, f"{scene} --contacts runs {done.stderr}")
+            wanted = read_vtkhdf(f"{folder}/{scene}-contacts.h5")
+            names = sorted(set(wanted[0]) - {"t", "Vertices", "Polygons", "Strips"})
+            found = read(f"{folder}/{scene}-contacts.h5", ".h5")
+            counts = [len(frame["Lines"]) for frame in wanted]
+            nothing = {name: wanted[0][name][:0] for name in names}
+            found = [{**nothing, "Lines": [], **frame} for frame in found]
+            check(same(wanted, found, names) and {"i", "j", "force", "normal_force", "overlap"} < set(names),
+                  f"{scene}: VTK finds the same {min(counts)} to {max(counts)} contacts in {len(counts)} frames: {' '.join(names)}")
+            check(min(counts) < max(counts) and (scene != "torus" or min(counts) == 0), "... whose number changes")
+
+
 one_glyph()
 spheres()
+contacts()
 conclude()

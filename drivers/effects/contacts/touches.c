@@ -19,8 +19,7 @@ static int wall_touches(const vti_walls *p, int64_t w, int64_t i, const vti_view
     return wall_gap(p, w, x, i) < 0.5 * p->diameter.p[i * p->diameter.stride] * nearer;
 }
 
-/** Adds what pair k does. */
-static void add_pair(const vti_contacts *p, int64_t k, const vti_bodies *b)
+void touches_add_pair(const vti_contacts *p, int64_t k, const vti_bodies *b)
 {
     vti_contacts one = *p;
     one.count = 1;
@@ -31,8 +30,7 @@ static void add_pair(const vti_contacts *p, int64_t k, const vti_bodies *b)
     effect.apply(effect.self, b);
 }
 
-/** Adds what wall w does to body i. */
-static void add_wall(const vti_walls *p, int64_t w, int64_t i, const vti_bodies *b)
+void touches_add_wall(const vti_walls *p, int64_t w, int64_t i, const vti_bodies *b)
 {
     vti_walls one = *p;
     one.count = w < p->count;
@@ -43,7 +41,7 @@ static void add_wall(const vti_walls *p, int64_t w, int64_t i, const vti_bodies 
         one.cylinder = p->cylinder + 7 * (w - p->count);
     one.each = p->each != NULL ? p->each + w : NULL;
     one.moduli = p->moduli != NULL ? p->moduli + w : NULL;
-    one.motion = NULL; /* none moves back in time */
+    one.motion = p->motion != NULL ? p->motion + w : NULL;
     const vti_bodies slice = vti_bodies_slice(*b, i, 1);
     const vti_effect effect = vti_walls_effect(&one);
     effect.apply(effect.self, &slice);
@@ -62,11 +60,11 @@ void touches_take_new(const struct effect_surfaces *surfaces, const double *star
     b.moment = vti_view_none();
     for (int64_t k = 0; pairs != NULL && k < pairs->count; ++k)
         if (pair_touches(pairs, k, &b.x, 1.0) && !pair_touches(pairs, k, &was, nearly))
-            add_pair(pairs, k, &b);
+            touches_add_pair(pairs, k, &b);
     for (int64_t w = 0; walls != NULL && w < wall_count(walls); ++w)
         for (int64_t i = 0; i < b.count; ++i)
             if (wall_touches(walls, w, i, &b.x, 1.0) && !wall_touches(walls, w, i, &was, nearly))
-                add_wall(walls, w, i, &b);
+                touches_add_wall(walls, w, i, &b);
     for (size_t k = 0; k < 3 * n; ++k)
         bodies->force.c[0][k] -= scratch[k];
 }

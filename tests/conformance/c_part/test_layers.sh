@@ -95,7 +95,7 @@ from "$(own_headers drivers/check/*.[ch])" include drivers/check
 # effects act in a model (model.h, shape.h).
 below=include
 for room in text threads neighbours tables scene effects effects/contacts effects/bonds clumps sim verdict \
-    rivals rivals/inertia rivals/variable reference check study sweep cost keep io run programs; do
+    rivals rivals/inertia rivals/variable reference check study sweep cost keep io io/vtkhdf run programs; do
     below="$below drivers/$room"
     beyond='-'
     case $room in
