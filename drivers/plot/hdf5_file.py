@@ -9,18 +9,20 @@ import numpy as np
 
 from .trouble import Trouble
 
-SWEEP, STUDY, RUN = "sweep", "study", "run"
-WRITER = {SWEEP: "vti-study", STUDY: "vti-study", RUN: "vti-run"}
+SWEEP, STUDY, RUN, NETWORK = "sweep", "study", "run", "network"
+WRITER = {SWEEP: "vti-study", STUDY: "vti-study", RUN: "vti-run", NETWORK: "vti-run"}
 GROUPS = {SWEEP: ("ensemble", "sweep"), STUDY: ("runs", "orders", "series"), RUN: ("energies", "VTKHDF")}
 CHECKPOINT = ".run"     # beside the place of OUT.h5 as long as a run is not complete
 GO_ON = "the run is not complete: the vti-run that began it ends it with --resume, and writes OUT.h5"
 
 
 def kind(path):
-    """SWEEP, STUDY or RUN, by what the file holds: a file may be called anything."""
+    """SWEEP, STUDY, RUN or NETWORK, by what the file holds: a file may be called anything."""
     with opened(path) as file:
         if "spheres_of" in file.attrs:
             raise Trouble(path, "holds the spheres of a run", "give OUT.h5")
+        if "contacts_of" in file.attrs:
+            return NETWORK
         found = [kind for kind, groups in GROUPS.items() if any(group in file for group in groups)]
     if not found:
         raise Trouble(path, "holds neither a study nor a run", "give the study.h5 of vti-study or the out.h5 of vti-run")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """What files and pictures show of bodies that are no spheres: ellipsoids as tensors, shapes and outlines, clumps as
-spheres. test_run_shapes.py VTI_RUN VTI_PLOT"""
+spheres, and the force network. test_run_shapes.py VTI_RUN VTI_PLOT"""
 import os
 import sys
 import tempfile
@@ -17,6 +17,7 @@ from tally import check, conclude
 RUN, PLOT = map(os.path.abspath, sys.argv[1:3])
 sys.path.insert(0, os.path.dirname(PLOT))
 from plot import outlines  # noqa: E402
+from plot import network_file  # noqa: E402
 from plot.run_file import read_run  # noqa: E402
 
 MASS, HALF = 3.0, numpy.array([1.0, 2.0, 3.0])      # of solid ellipsoids
@@ -32,6 +33,14 @@ CLUMPS = """bodies: {chain: {count: 3, spacing: 3}, random: {seed: 2, v: 1, omeg
 contact: {stiffness: 10}
 h: 1/64
 t_end: 1
+"""
+
+PRESSED = """bodies: {lattice: {counts: [4, 3, 2], spacing: 0.99, corner: [0, 0, 0.495]}, diameter: 1, mass: 1, random: {seed: 4, v: 0.3}}
+contact: {stiffness: 1000}
+wall: {stiffness: 1000, planes: [[0, 0, 1, 0]]}
+friction: {sliding: 0.5, poisson: 0.3}
+h: 1/1024
+t_end: 1/32
 """
 
 
@@ -184,6 +193,36 @@ def spheres_seen(folder):
     check(near(seen.x, x) and seen.body.tolist() == [0, 0, 1, 2, 2], "spheres of clumps are drawn where the dump has them")
 
 
+def network(folder):
+    """The lines of the last frame with contacts: a floor is seen from the side, and what is thickest is the largest
+    force."""
+    scene, path = os.path.join(folder, "pressed.yaml"), os.path.join(folder, "pressed.h5")
+    picture, contacts = os.path.join(folder, "network.png"), os.path.join(folder, "pressed-contacts.h5")
+    with open(scene, "w", encoding="ascii") as file:
+        file.write(PRESSED)
+    done = run(RUN, scene, "-o", path, "--contacts", "--frames", "32")
+    check(done.returncode == 0 and plot(PLOT, contacts, "-o", folder).returncode == 0 and os.path.exists(picture), f"network.png {done.stderr}")
+    found = network_file.read_network(contacts)
+    figure, _ = network_file.draw(found)
+    axes = figure.axes[0]
+    lines = axes.collections[0]
+    widths, segments = lines.get_linewidths(), lines.get_segments()
+    strongest = numpy.argmax(found.normal)
+    check(axes.get_ylabel().startswith("$z$") and len(segments) == len(found.normal) > 20, "all contacts, the floor from the side")
+    check(widths[-1] == max(widths) and numpy.array_equal(segments[-1], found.ends[strongest][:, [0, 2]]), "... the largest force is the thickest line")
+    check(numpy.allclose(sorted(widths)[-3:], network_file.THICKEST * numpy.sort(found.normal)[-3:] / found.normal.max()), "... the others in proportion")
+    said = plot(PLOT, contacts, "--film")
+    check(said.returncode == 1 and "is a network, of which there is no film" in said.stderr, f"... no film: {said.stderr}")
+    with h5py.File(contacts, "r+") as file:
+        file["VTKHDF/Lines/NumberOfCells"][-1] += 1
+    said = plot(PLOT, contacts, "-o", folder)
+    check(said.returncode == 1 and "fewer contacts than /VTKHDF/Lines/NumberOfCells says" in said.stderr, f"... lines that are not there: {said.stderr}")
+    with h5py.File(contacts, "r+") as file:
+        file["VTKHDF/Lines/NumberOfCells"][...] = 0
+    said = plot(PLOT, contacts, "-o", folder)
+    check(said.returncode == 0 and "network.png: not drawn, nothing touches in any frame" in said.stdout, f"... none at all: {said.stdout}")
+
+
 with tempfile.TemporaryDirectory() as root:
     ellipsoids(root)
     clumps(root)
@@ -191,6 +230,7 @@ with tempfile.TemporaryDirectory() as root:
     spheres_seen(root)
     spheres_alone(root)
     bonded_spheres(root)
+    network(root)
     for scene in ("ellipsoids", "clumps"):
         done = plot(PLOT, os.path.join(root, scene + ".h5"), "-o", os.path.join(root, scene), only=("shapes.png",))
         check(done.returncode == 0 and os.path.getsize(os.path.join(root, scene, "shapes.png")) > 3000, f"{scene} are drawn {done.stderr}")
