@@ -66,7 +66,7 @@ struct run {
 
     /* while it goes */
     enum run_end end;
-    double began, saved; /* clock: this program's start, the last checkpoint */
+    double began, saved;            /* clock: this program's start, the last checkpoint */
     int64_t poll_every, look_every; /* steps */
     struct message *message;
 

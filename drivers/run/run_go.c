@@ -293,8 +293,8 @@ enum run_end run_go(struct run *run, const struct run_watch *watch, struct messa
     run->end = RUN_COMPLETE;
     run->began = run->saved = clock_now();
     run->poll_every = travel_pause(&run->travel, POLL_BODIES);
-    if (travel_show(&run->travel, run->steps - run->from, observers, sizeof observers / sizeof observers[0],
-                    message) < 0)
+    if (travel_show(&run->travel, run->steps - run->from, observers, sizeof observers / sizeof observers[0], message) <
+        0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {
         run->end = RUN_FAILED; /* nothing has happened that files could tell of */
