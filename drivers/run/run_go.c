@@ -210,8 +210,8 @@ static int look_at_step(struct run *run, double t, const vti_bodies *bodies)
     return 0;
 }
 
-/** Before the checkpoint, so that a run that goes on from it does not look again: the forces that a stepper leaves may be
- *  those of other positions, and the run finds those of its positions as it begins. */
+/** Before the checkpoint, so that a run that goes on from it does not look again: the forces that a stepper leaves may
+ *  be those of other positions, and the run finds those of its positions as it begins. */
 static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
@@ -281,20 +281,19 @@ static int64_t find_look_every(const struct run *run)
 
 enum run_end run_go(struct run *run, const struct run_watch *watch, struct message *message)
 {
-    enum { POLL_BODIES = 8192 };
+    enum { POLL_BODIES = 8192, OBSERVERS = 5 };
     struct poll poller = {run, watch, 1, 0};
     const int64_t every = run->look_every = find_look_every(run);
-    const struct observer observers[] = {{see_step, run, every, 1, loop_never_looks, NULL},
-                                         {poll, &poller, every, 1, poll_looks, poll_wants},
-                                         {see_end, run, every, 1, loop_never_looks, NULL},
-                                         {see_row, run, run->checkpoint.record_every, 0, NULL, NULL},
-                                         {see_frame, run, run->checkpoint.frames_every, 0, NULL, NULL}};
+    const struct observer observers[OBSERVERS] = {{see_step, run, every, 1, loop_never_looks, NULL},
+                                                  {poll, &poller, every, 1, poll_looks, poll_wants},
+                                                  {see_end, run, every, 1, loop_never_looks, NULL},
+                                                  {see_row, run, run->checkpoint.record_every, 0, NULL, NULL},
+                                                  {see_frame, run, run->checkpoint.frames_every, 0, NULL, NULL}};
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = clock_now();
     run->poll_every = travel_pause(&run->travel, POLL_BODIES);
-    if (travel_show(&run->travel, run->steps - run->from, observers, sizeof observers / sizeof observers[0], message) <
-        0)
+    if (travel_show(&run->travel, run->steps - run->from, observers, OBSERVERS, message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {
         run->end = RUN_FAILED; /* nothing has happened that files could tell of */
