@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "checkpoint.h"
 
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,13 +8,11 @@
 #include "state.h"
 
 enum { BYTES = 524288 }; /* of a piece; SQLite keeps no more than 1e9 in one */
-enum { HEAD = offsetof(struct checkpoint, touches) };
-enum { MARK = sizeof(struct journal_mark) / sizeof(double) };
 
 /** Bytes of all of it: the struct, the state, and the digest of both. */
 static size_t whole_size(const struct checkpoint *checkpoint)
 {
-    return HEAD + sizeof(double) * (size_t)checkpoint->state_doubles + sizeof(uint64_t);
+    return sizeof *checkpoint + sizeof(double) * (size_t)checkpoint->state_doubles + sizeof(uint64_t);
 }
 
 /** Bytes that go to the journal in pieces of BYTES, and their digest. */
@@ -62,22 +59,14 @@ static void put_checkpoint(struct pieces *p, const struct checkpoint *checkpoint
                            const struct verdict *verdict, const double *more, int64_t more_count, const double *memory)
 {
     struct sink sink = {put_numbers, p};
-    put_bytes(p, checkpoint, HEAD);
+    put_bytes(p, checkpoint, sizeof *checkpoint);
     state_give(bodies, &sink);
     verdict_give(verdict, &sink);
     put_numbers(&sink, more, more_count);
     put_numbers(&sink, memory, model_memory_size(verdict->model));
-    if (checkpoint->touches.doubles > 0)
-        put_bytes(p, &checkpoint->touches, sizeof checkpoint->touches);
     const uint64_t digest = p->digest;
     put_bytes(p, &digest, sizeof digest);
     put_rest(p);
-}
-
-/** Those of the mark of touches. */
-static int64_t mark_doubles(const struct checkpoint *checkpoint)
-{
-    return checkpoint->touches.doubles > 0 ? MARK : 0;
 }
 
 /** Doubles of the state in a checkpoint; remembered: those that the model remembers. */
@@ -103,7 +92,7 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
     checkpoint->touches = journal->touches.mark;
-    checkpoint->state_doubles = state_doubles(bodies, verdict, more_count, remembered) + mark_doubles(checkpoint);
+    checkpoint->state_doubles = state_doubles(bodies, verdict, more_count, remembered);
     if (memory == NULL || p.piece == NULL) {
         free(memory);
         free(p.piece);
@@ -130,10 +119,10 @@ int checkpoint_pieces(struct journal *journal,
         if (found < 0)
             return -1;
         struct checkpoint checkpoint;
-        if (found == 0 || (k == 0 && size < HEAD))
+        if (found == 0 || (k == 0 && size < sizeof checkpoint))
             return keep_damaged(&journal->keep, "is damaged: it has no checkpoint", message);
         if (k == 0) {
-            memcpy(&checkpoint, piece, HEAD);
+            memcpy(&checkpoint, piece, sizeof checkpoint);
             all = whole_size(&checkpoint);
         }
         if (size == 0 || size > all - at)
@@ -180,19 +169,17 @@ int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *
 {
     uint64_t digest;
     const int64_t fixed = state_size(bodies) + verdict_size(verdict) + more_count;
-    const size_t mark = sizeof(double) * (size_t)mark_doubles(checkpoint),
-                 least = HEAD + sizeof(double) * (size_t)fixed + mark + sizeof digest;
+    const size_t least = sizeof *checkpoint + sizeof(double) * (size_t)fixed + sizeof digest;
     if (size < least || (size - least) % sizeof(double) != 0)
         return -1;
     memcpy(&digest, bytes + size - sizeof digest, sizeof digest);
     if (digest != digest_add(DIGEST_START, bytes, size - sizeof digest))
         return -1;
     const int64_t memory = (int64_t)((size - least) / sizeof(double));
-    memcpy(checkpoint, bytes, HEAD);
-    memcpy(&checkpoint->touches, bytes + size - sizeof digest - mark, mark);
+    memcpy(checkpoint, bytes, sizeof *checkpoint);
     /* who starts anew from step 0 moves the velocities of a lagging method anew */
     if (checkpoint->step > 0) {
-        const double *state = (const double *)(const void *)(bytes + HEAD);
+        const double *state = (const double *)(const void *)(bytes + sizeof *checkpoint);
         state_put(state, bodies);
         verdict_put(verdict, state + state_size(bodies));
         if (model_memory_put(verdict->model, state + fixed, memory) != 0)

@@ -12,9 +12,8 @@
 struct checkpoint {
     int64_t step;                       /* not yet recorded */
     int64_t record_every, frames_every; /* steps between rows and between frames */
-    struct journal_mark rows, frames;
+    struct journal_mark rows, frames, touches;
     int64_t state_doubles;
-    struct journal_mark touches; /* of a run that records them written too, behind all else, as state_doubles counts */
 };
 
 /** Commits the journal with a checkpoint of the bodies and of the verdict so far; marks and sizes in *checkpoint are
@@ -34,8 +33,8 @@ int checkpoint_pieces(struct journal *journal,
 unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct message *message);
 
 /** Takes a checkpoint from its bytes, which malloc has aligned, for these bodies and their verdict, which get its
- *  state, or stay as they are if that is of step 0: they are at t = 0 already. checkpoint->touches says before whether
- *  the run records them. Returns 0, or -1: it is none, or is damaged. */
+ *  state, or stay as they are if that is of step 0: they are at t = 0 already. Returns 0, or -1: it is none, or is
+ *  damaged. */
 int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *checkpoint, const vti_bodies *bodies,
                     struct verdict *verdict, double *more, int64_t more_count);
 

@@ -258,7 +258,6 @@ static int open_checkpoint(struct run *run, struct message *message)
                                        journal_mark_start(run->record.frames.doubles),
                                        journal_mark_start(run->request->contacts ? TOUCH_DOUBLES : 0)};
     int found = 0;
-    c->touches = none.touches;
     if (run->journal.keep.holds)
         found = take_checkpoint(run, message);
     else if (run->request->resume)
