@@ -206,14 +206,11 @@ static int make(struct effect *e, const struct model *model, const struct table 
     const struct dashpot_settings *d = e->settings;
     struct dashpot_self *self = effect_memory(e, sizeof *self, message);
     const struct effect_surfaces surfaces = model_surfaces(model);
-    const struct effect *friction = NULL;
+    const struct effect *friction = effect_with_friction(model);
     (void)table;
     if (self == NULL)
         return -1;
     vti_dashpots *dashpots = &self->dashpots;
-    for (int64_t k = 0; k < model->instances_count; ++k)
-        if (model->instances[k].kind->friction != NULL)
-            friction = &model->instances[k];
     dashpots->contacts = surfaces.contacts;
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;

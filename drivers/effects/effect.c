@@ -12,6 +12,15 @@ void *effect_memory(struct effect *e, size_t bytes, struct message *message)
     return e->self;
 }
 
+const struct effect *effect_with_friction(const struct model *model)
+{
+    const struct effect *found = NULL;
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (model->instances[k].kind->friction != NULL)
+            found = &model->instances[k];
+    return found;
+}
+
 int effect_walls_match(const struct model *model, const char *path, const struct scene_numbers *numbers,
                        const vti_walls *walls, struct message *message)
 {

@@ -259,6 +259,8 @@ struct effect_kind {
 
 /** Makes self, of so many bytes and zeros. Returns it, or NULL with one line in *message. */
 void *effect_memory(struct effect *e, size_t bytes, struct message *message);
+/** The effect of the model that has friction where surfaces meet; NULL if none has. */
+const struct effect *effect_with_friction(const struct model *model);
 
 struct scene_numbers;
 

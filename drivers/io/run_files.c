@@ -92,12 +92,20 @@ static const struct mark marks[KINDS] = {
     {NULL, "contacts_of", NULL},
 };
 
+/** Which are wanted, OUT.xdmf if so said. */
+static void find_wanted(const struct run_files *files, int xdmf, int wanted[KINDS])
+{
+    const int found[KINDS] = {1, 1, xdmf, files->dump, files->spheres, files->contacts};
+    memcpy(wanted, found, sizeof found);
+}
+
 int run_files_check(const struct run_files *files, struct message *message)
 {
-    const int wanted[KINDS] = {1, 1, 1, files->dump, files->spheres, files->contacts};
+    int wanted[KINDS];
     char name[KINDS][264];
     struct output outputs[KINDS];
     int count = 0;
+    find_wanted(files, 1, wanted);
     for (int kind = 0; kind < KINDS; ++kind) {
         name_of(files, kind, name[kind]);
         if (wanted[kind])
@@ -121,9 +129,9 @@ static int write_hdf5(const struct run_files *files, const struct record *record
     char path[FOLDER_PATH];
     if (folder_output(files->folder, name, 1, path, message) != 0)
         return -1;
-    return (kind == SPHERES    ? spheres_hdf5_write
-            : kind == CONTACTS ? contacts_hdf5_write
-                               : run_hdf5_write)(record, path, message);
+    return kind == SPHERES    ? spheres_hdf5_write(record, path, message)
+           : kind == CONTACTS ? contacts_hdf5_write(record, path, message)
+                              : run_hdf5_write(record, path, message);
 }
 
 static int write_text(const struct run_files *files, const struct record *record, int kind, const char *name,
@@ -188,9 +196,10 @@ double run_files_bytes(const struct run_files *files, const struct record *recor
 
 int run_files_are_there(const struct run_files *files, int64_t frames)
 {
-    const int wanted[KINDS] = {1, 1, wants_xdmf(files, frames), files->dump, files->spheres, files->contacts};
+    int wanted[KINDS];
     char name[264], path[FOLDER_PATH];
     struct message ignored;
+    find_wanted(files, wants_xdmf(files, frames), wanted);
     for (int kind = 0; kind < KINDS; ++kind) {
         name_of(files, kind, name);
         if (wanted[kind] && (folder_output(files->folder, name, 0, path, &ignored) != 0 || access(path, F_OK) != 0))
@@ -201,10 +210,11 @@ int run_files_are_there(const struct run_files *files, int64_t frames)
 
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message)
 {
-    const int wanted[KINDS] = {1, 1, run_files_has_xdmf(files, record), files->dump, files->spheres, files->contacts};
+    int wanted[KINDS];
     char name[KINDS][264];
     const char *names[KINDS];
     int failed = 0, count = 0;
+    find_wanted(files, run_files_has_xdmf(files, record), wanted);
     if (run_files_check(files, message) != 0)
         return -1;
     for (int kind = 0; kind < KINDS; ++kind) {

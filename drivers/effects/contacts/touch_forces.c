@@ -32,15 +32,6 @@ static int compare_held(const void *a, const void *b)
     return by_numbers(p->i, p->j, q->i, q->j);
 }
 
-static const struct effect *with_springs(const struct model *model)
-{
-    const struct effect *found = NULL;
-    for (int64_t k = 0; k < model->instances_count; ++k)
-        if (model->instances[k].kind->friction != NULL)
-            found = &model->instances[k];
-    return found;
-}
-
 /** Of all chunks. Returns 0, or -1 if there is no memory. */
 static int sort_held(struct finding *f, const struct effect *springs)
 {
@@ -193,7 +184,7 @@ int touch_forces_find(const struct model *model, const vti_bodies *bodies, struc
                         .list = list};
     list->count = 0;
     f.force = calloc((size_t)(3 * f.spheres.count), sizeof *f.force);
-    f.failed = f.force == NULL || sort_held(&f, with_springs(model)) != 0;
+    f.failed = f.force == NULL || sort_held(&f, effect_with_friction(model)) != 0;
     f.spheres.force = vti_view_packed(f.force);
     f.spheres.moment = vti_view_none();
     if (!f.failed)

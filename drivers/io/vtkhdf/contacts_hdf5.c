@@ -243,14 +243,5 @@ double contacts_hdf5_bytes(double frames, double touches)
 
 int contacts_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
-    struct hdf5_sink file = hdf5_file(path, message);
-    if (file.failed)
-        return -1;
-    message->text[0] = '\0';
-    hdf5_text(&file, "contacts_of", record->model->scene->name);
-    hdf5_text(&file, "vti_version", vti_version());
-    write_contacts(record, &file, message);
-    if (hdf5_close_file(&file) == 0)
-        return 0;
-    return message->text[0] != '\0' ? -1 : message_set(message, "%s: cannot be written; the disk may be full", path);
+    return vtkhdf_beside(record, "contacts_of", path, write_contacts, message);
 }

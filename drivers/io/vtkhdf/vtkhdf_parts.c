@@ -63,3 +63,19 @@ struct hdf5_sink vtkhdf_steps(struct hdf5_sink *root, int64_t frames, int64_t po
     vtkhdf_sequence(&s, "ConnectivityIdOffsets", frames, 4, 0, 0);
     return s;
 }
+
+int vtkhdf_beside(const struct record *record, const char *of, const char *path,
+                  void (*write)(const struct record *record, struct hdf5_sink *file, struct message *message),
+                  struct message *message)
+{
+    struct hdf5_sink file = hdf5_file(path, message);
+    if (file.failed)
+        return -1;
+    message->text[0] = '\0';
+    hdf5_text(&file, of, record->model->scene->name);
+    hdf5_text(&file, "vti_version", vti_version());
+    write(record, &file, message);
+    if (hdf5_close_file(&file) == 0)
+        return 0;
+    return message->text[0] != '\0' ? -1 : message_set(message, "%s: cannot be written; the disk may be full", path);
+}
